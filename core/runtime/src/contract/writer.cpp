@@ -139,10 +139,32 @@ void check_kind(const Writer& writer, Element::Kind kind) {
     require_contained(element, found->second);
 }
 
+/// Checks the files that belong to the one of the writer.
+void check_companions(const Writer& writer, const std::vector<std::string>& companions, Promises& promises) {
+    if (companions.empty()) {
+        return;
+    }
+    promises.check("writes the files that belong to it, the same bytes every time", [&] {
+        QuietContext context;
+        SphereModel spheres = model_for(writer);
+        spheres.file = "contract.urdf";
+        for (const std::string& ending : companions) {
+            try {
+                const std::string bytes = writer.companion(ending, spheres, context);
+                require(bytes == writer.companion(ending, spheres, context),
+                        fmt::format(".{}: the second time it writes other bytes", ending));
+            } catch (const Error& error) { // of a stage that is not here, for one
+                require(error.code() == ErrorCode::output,
+                        fmt::format(".{}: it fails with the wrong code: {}; remedy: ErrorCode::output", ending,
+                                    error.what()));
+            }
+        }
+    });
+}
+
 } // namespace
 
 void check_writer(const Writer& writer, const StageInfo& info, Promises& promises) {
-    const std::vector<std::string>& companions = info.companions;
     for (const Element::Kind kind : info.kinds) {
         if (kind != Element::Kind::sphere) {
             promises.check(fmt::format("gives back a {}", noun_of(kind, 1)), [&] { check_kind(writer, kind); });
@@ -163,24 +185,7 @@ void check_writer(const Writer& writer, const StageInfo& info, Promises& promise
         require(read.size() == spheres.groups.size(),
                 fmt::format("{} links are read back, {} were written", read.size(), spheres.groups.size()));
     });
-    if (!companions.empty()) {
-        promises.check("writes the files that belong to it, the same bytes every time", [&] {
-            QuietContext context;
-            SphereModel spheres = model_for(writer);
-            spheres.file = "contract.urdf";
-            for (const std::string& ending : companions) {
-                try {
-                    const std::string bytes = writer.companion(ending, spheres, context);
-                    require(bytes == writer.companion(ending, spheres, context),
-                            fmt::format(".{}: the second time it writes other bytes", ending));
-                } catch (const Error& error) { // of a stage that is not here, for one
-                    require(error.code() == ErrorCode::output,
-                            fmt::format(".{}: it fails with the wrong code: {}; remedy: ErrorCode::output", ending,
-                                        error.what()));
-                }
-            }
-        });
-    }
+    check_companions(writer, info.companions, promises);
     const auto require_refusal = [&](const std::string& what, const std::function<void()>& call) {
         try {
             call();

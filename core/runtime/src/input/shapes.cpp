@@ -153,6 +153,27 @@ static void set_kinds(const Workspace& workspace, const Recipe::LinkRecipe& reci
     work.adds_spheres = false; // refiners that add spheres count them, not their cost
 }
 
+/// Returns what there is to do for the shape of a group, but for its digest, half-space constraints and frame.
+static ShapeWork work_for(const Workspace& workspace, const LinkWork& link, const Group& group) {
+    ShapeWork work;
+    work.spherizer = link.recipe.spherizer;
+    work.refiners = link.recipe.refiners;
+    work.adds_spheres = std::any_of(work.refiners.begin(), work.refiners.end(), [&](const StageCall& refiner) {
+        return workspace.registry.find(refiner.stage)->info.adds_spheres;
+    });
+    work.objective = objective_of(work.spherizer, workspace.registry);
+    work.content = content_of(workspace, group, link);
+    work.link = link.link->name;
+    work.input = link.elements[group.elements.front()].geometry;
+    work.report.stage = work.spherizer.stage;
+    const std::size_t kept = link.recipe.keep.size();
+    work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
+    work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
+    set_kinds(workspace, link.recipe, work);
+    work.max_protrusion = link.recipe.max_protrusion;
+    return work;
+}
+
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
@@ -192,23 +213,8 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         hasher.add(link.recipe.max_protrusion.value_or(-1));
         const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());
         if (fresh) {
-            ShapeWork& work = shapes.emplace_back();
-            work.spherizer = link.recipe.spherizer;
-            work.refiners = link.recipe.refiners;
-            work.adds_spheres = std::any_of(work.refiners.begin(), work.refiners.end(), [&](const StageCall& refiner) {
-                return workspace.registry.find(refiner.stage)->info.adds_spheres;
-            });
-            work.objective = objective_of(work.spherizer, workspace.registry);
+            ShapeWork& work = shapes.emplace_back(work_for(workspace, link, groups[g]));
             work.digest = digest;
-            work.content = content_of(workspace, groups[g], link);
-            work.link = link.link->name;
-            work.input = link.elements[groups[g].elements.front()].geometry;
-            work.report.stage = work.spherizer.stage;
-            const std::size_t kept = link.recipe.keep.size();
-            work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
-            work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
-            set_kinds(workspace, link.recipe, work);
-            work.max_protrusion = link.recipe.max_protrusion;
             work.clip = planes;
             work.frame = frame;
         }

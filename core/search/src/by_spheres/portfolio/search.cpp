@@ -28,6 +28,29 @@ Search::Search(const Solid& solid, const CoverOptions& options, const Plan& plan
       body_(body_points(problem_, 800)), improvement_(problem_, plan_.directions, plan_.first_points),
       quick_(solid, options) {}
 
+void Search::take(Model& best, const Balls& balls) const {
+    Model model = finished(balls);
+    // More balls are never worse.
+    if (model.joint < best.joint) {
+        best = std::move(model);
+    }
+}
+
+void Search::move_all(Model& best, std::size_t count) {
+    for (int round = 0; round < plan_.most_moves && count <= plan_.most_moved && !stopped(); ++round) {
+        const double joint = best.joint;
+        if (best.balls.size() < 3) {
+            break; // two balls come from all planes anyway
+        }
+        for (const Balls& balls : moved(Balls(best.balls))) {
+            take(best, balls);
+        }
+        if (best.joint == joint) {
+            break;
+        }
+    }
+}
+
 Search::Model Search::model(std::size_t count) {
     if (const auto known = models_.find(count); known != models_.end()) {
         return known->second;
@@ -40,33 +63,26 @@ Search::Model Search::model(std::size_t count) {
         return best;
     }
     const Model before = best;
-    const auto take = [&](const Balls& balls) {
-        Model model = finished(balls);
-        // More balls are never worse.
-        if (model.joint < best.joint) {
-            best = std::move(model);
-        }
-    };
     if (count > most_growing) {
         for (const Balls& balls : found_of_many(count)) {
-            take(balls);
+            take(best, balls);
         }
         return stopped_ ? best : models_.emplace(count, std::move(best)).first->second;
     }
     if (count == 2) {
-        take(settled(quick_.surface_for(count), exchanged(one_more(before.balls)), plan_.of(count).last_gradient_steps)
-                 .balls);
+        const int steps = plan_.of(count).last_gradient_steps;
+        take(best, settled(quick_.surface_for(count), exchanged(one_more(before.balls)), steps).balls);
         if (stopped()) {
             return best;
         }
     }
     if (!quick_.surface_for(count).skin.fine) {
         // The occupancy misses needles, so the following steps may lose the result of the quick search.
-        take(quick_.candidates(count, before.balls).front().balls);
+        take(best, quick_.candidates(count, before.balls).front().balls);
     }
     if (count > 2) {
         for (const Balls& balls : found(count, before, best.joint)) {
-            take(balls);
+            take(best, balls);
         }
         if (stopped()) {
             return best;
@@ -74,20 +90,10 @@ Search::Model Search::model(std::size_t count) {
     }
     if (const int swaps = plan_.of(count).swaps; swaps > 0 && !stopped()) {
         const RandomSwaps random_swaps(problem_, improvement_, quick_.surface_for(count).skin, coarse_skin_);
-        take(random_swaps.improved(best.balls, count, swaps, options_.seed + count, [&] { return stopped(); }).balls);
+        const std::uint64_t seed = options_.seed + count;
+        take(best, random_swaps.improved(best.balls, count, swaps, seed, [&] { return stopped(); }).balls);
     }
-    for (int round = 0; round < plan_.most_moves && count <= plan_.most_moved && !stopped(); ++round) {
-        const double joint = best.joint;
-        if (best.balls.size() < 3) {
-            break; // two balls come from all planes anyway
-        }
-        for (const Balls& balls : moved(Balls(best.balls))) {
-            take(balls);
-        }
-        if (best.joint == joint) {
-            break;
-        }
-    }
+    move_all(best, count);
     if (stopped_) {
         return best;
     }

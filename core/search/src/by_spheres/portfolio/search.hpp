@@ -38,6 +38,10 @@ private:
         double joint; ///< volume of the spheres and the solid together, m³
     };
     Model model(std::size_t count);
+    /// Makes the balls the model if they are better.
+    void take(Model& best, const Balls& balls) const;
+    /// Improves the model by rounds of moves of every ball.
+    void move_all(Model& best, std::size_t count);
     /// Returns one ball more: a plane splits one of those with most excess volume.
     Balls one_more(const Balls& cover) const;
     /// Returns sets of balls for a count above most_growing.
