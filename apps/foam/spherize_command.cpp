@@ -329,8 +329,9 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
 void add_element_options(CLI::App& command, SpherizeArguments& arguments) {
     command
         .add_option("--with", arguments.kinds,
-                    "Kinds of elements: sphere, capsule, cylinder, box, swept_box, hull, separated by commas; default: "
-                    "sphere,capsule,box, or those of the method")
+                    fmt::format("Kinds of elements: {}, separated by commas; default: sphere,capsule,box, or those of "
+                                "the method",
+                                fmt::join(kind_words(), ", ")))
         ->type_name("KIND[,KIND…]")
         ->delimiter(',');
     command

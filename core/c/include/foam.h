@@ -149,7 +149,7 @@ FOAM_API int foam_elements_get(const foam_elements* elements, size_t index, foam
 /* Frees the elements of a cover; NULL does nothing. */
 FOAM_API void foam_elements_free(foam_elements* elements);
 
-/* Returns the version of the library, "0.1.0". The text lives as long as the library. */
+/* Returns the version of the library, "0.2.0". The text lives as long as the library. */
 FOAM_API const char* foam_version(void);
 
 #ifdef __cplusplus

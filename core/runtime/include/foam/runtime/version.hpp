@@ -8,7 +8,7 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-/// Returns the version, such as "0.1.0".
+/// Returns the version, such as "0.2.0".
 std::string version();
 /// Returns the versions of the libraries that core computes with, by name; plugins report their own.
 std::map<std::string, std::string> library_versions();
