@@ -1,4 +1,5 @@
 // Commands about the program itself: help, its version, schemas, the SDK, foam-bench.
+#include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/messages.hpp"
 #include "cli/program.hpp"
@@ -18,6 +19,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 namespace foam::cli {
@@ -178,30 +180,87 @@ void add_sdk(Program& program) {
 
 namespace {
 
-constexpr const char* bench_program = "foam-bench";
+namespace fs = std::filesystem;
 
-/// Replaces this program by foam-bench of the same folder, with the same command line.
-int start_bench(const Program& program) {
-    const auto file = std::filesystem::canonical(own_program).parent_path() / bench_program;
-    ::execv(file.c_str(), program.arguments);
-    if (errno != ENOENT) {
-        throw Error(ErrorCode::usage, fmt::format("{}: cannot be started: {}", file.string(), std::strerror(errno)));
+struct BenchArguments {
+    std::string experiment, run_dir;
+    std::size_t threads = 1;
+    bool check = false, force = false;
+};
+
+struct Installed {
+    fs::path package;   ///< the folder that holds the Python package
+    std::string python; ///< the Python that it is for
+};
+
+/// Returns the package of this installation: that of a build, of Debian or of a wheel.
+Installed package_beside(const fs::path& programs) {
+    for (const auto& [folder, python] : {std::pair("../python", "python3"),
+                                         {"../lib/python3/dist-packages", "/usr/bin/python3"},
+                                         {"../..", "python3"}}) {
+        if (fs::exists(programs / folder / "foam/bench/__main__.py")) {
+            return {fs::canonical(programs / folder), python};
+        }
     }
     throw Error(ErrorCode::usage,
-                fmt::format("{} is not there: the experiments are a program of their own; remedy: in a clone, run "
-                            "`./foam bench` once, which builds it, or `ninja -C BUILD_FOLDER bench`; for an "
-                            "installed foam, install the package foam-bench",
-                            file.string()));
+                fmt::format("the Python package foam, which foam bench runs, is not beside {}; remedy: in a clone, run "
+                            "`./foam bench` once, which builds it; for an installed foam, install the package "
+                            "python3-foam",
+                            programs.string()));
+}
+
+/// Replaces this program by Python with the package's experiments.
+int start_bench(const BenchArguments& arguments) {
+    const auto [package, default_python] = package_beside(fs::canonical(own_program).parent_path());
+    const char* path = std::getenv("PYTHONPATH");
+    ::setenv("PYTHONPATH", (package.string() + (path && *path ? fmt::format(":{}", path) : "")).c_str(), 1);
+    const char* given = std::getenv("FOAM_PYTHON");
+    const std::string python = given && *given ? given : default_python;
+    std::vector<std::string> words{python, "-m", "foam.bench", fmt::format("--threads={}", arguments.threads)};
+    if (!arguments.run_dir.empty()) {
+        words.push_back("--run-dir=" + arguments.run_dir);
+    }
+    for (const auto& [flag, given_flag] : {std::pair("--force", arguments.force), {"--check", arguments.check}}) {
+        if (given_flag) {
+            words.emplace_back(flag);
+        }
+    }
+    words.insert(words.end(), {"--", arguments.experiment});
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    ::execvp(python.c_str(), pointers.data());
+    throw Error(ErrorCode::usage,
+                fmt::format("{}: cannot be started: {}; foam bench needs Python; remedy: apt-get install "
+                            "python3, or name one by FOAM_PYTHON",
+                            python, std::strerror(errno)));
 }
 
 } // namespace
 
 void add_bench(Program& program) {
-    CLI::App* command = program.app.add_subcommand("bench", "Measure stages, write tables and plots");
-    command->set_help_flag(); // all that follows is for foam-bench
-    command->fallthrough(false);
-    command->prefix_command();
-    command->callback([&program] { program.action = [&program] { return start_bench(program); }; });
+    CLI::App* command = add_command(program, "bench", "Measure stages, write tables and plots",
+                                    "  foam bench configs/experiments/filters.yaml\n"
+                                    "  foam bench configs/experiments/methods.yaml --run-dir methods -j 4\n"
+                                    "  foam bench my_experiment.yaml --check");
+    auto arguments = std::make_shared<BenchArguments>();
+    command->add_option("experiment", arguments->experiment, "The experiment, a YAML file")
+        ->type_name("EXPERIMENT")
+        ->required();
+    add_run_directory(*command, arguments->run_dir,
+                      "Folder of the results; default: benchmarks/NAME with the name of the experiment");
+    refuse_output_file(*command);
+    command
+        ->add_option("-j,--threads", arguments->threads,
+                     "Threads that a stage may use, at most 1024; 0: one per core; several threads distort CPU times")
+        ->type_name("N")
+        ->check(whole_number(0, 1024))
+        ->capture_default_str();
+    add_force(*command, arguments->force);
+    command->add_flag("--check", arguments->check, "List all errors of the experiment, and measure nothing");
+    command->callback([&program, arguments] { program.action = [arguments] { return start_bench(*arguments); }; });
 }
 
 } // namespace foam::cli
