@@ -84,7 +84,7 @@ py::list parts_of_link(const HeldRobot& held, const std::string& name) {
     py::list parts;
     for (const Solid::Part& part : solid_of_link(held, name)->parts()) {
         if (part.primitive) {
-            parts.append(dict_of(element_of(*part.primitive, part.pose)));
+            parts.append(dict_of(moved(*part.primitive, part.pose)));
         } else {
             py::dict mesh;
             mesh["kind"] = "mesh";
