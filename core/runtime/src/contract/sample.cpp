@@ -59,12 +59,11 @@ Mesh bracket() {
     return mesh;
 }
 
-const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
-    static const std::map<std::string, std::function<std::shared_ptr<const Solid>()>> makers{
-        {"Box",
-         [] {
-             return Solid::make(box({0.1, 0.2, 0.3}));
-         }},
+using Makers = std::map<std::string, std::function<std::shared_ptr<const Solid>()>>;
+
+/// Solids that are one primitive each.
+static Makers of_primitives() {
+    return {
         {"BoxPrimitive",
          [] {
              return primitive_solid(Element::box({0.1, 0.2, 0.3}));
@@ -78,6 +77,16 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
         {"EllipsoidPrimitive",
          [] {
              return primitive_solid(Element::ellipsoid({0.05, 0.1, 0.15}), Pose::from_xyz_rpy({0, 0.1, 0}, {0.3, 0.2, 0.1}));
+         }},
+    };
+}
+
+/// Solids of meshes, and of several parts.
+static Makers of_meshes() {
+    return {
+        {"Box",
+         [] {
+             return Solid::make(box({0.1, 0.2, 0.3}));
          }},
         {"Torus", [] { return Solid::make(torus(0.1, 0.03)); }},
         {"Bracket", [] { return Solid::make(bracket()); }},
@@ -132,6 +141,14 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
              return Solid::make(box({0.003, 0.003, 1}));
          }},
     };
+}
+
+const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
+    static const Makers makers = [] {
+        Makers all = of_primitives();
+        all.merge(of_meshes());
+        return all;
+    }();
     return makers;
 }
 

@@ -106,6 +106,31 @@ inline double boundary_area(const Fit& fit) {
                                       : 8 * (h.x * h.y + h.y * h.z + h.z * h.x) + 4 * pi * r * (h.x + h.y + h.z + r);
 }
 
+/// As over_boundary(), of an ellipsoid.
+template <class Visit> void over_ellipsoid(const Fit& fit, double area_each, Visit visit) {
+    const Vec3& h = fit.half;
+    const auto count = std::max<std::size_t>(32, static_cast<std::size_t>(area_of_ellipsoid(fit) / area_each));
+    const double share = 4 * std::numbers::pi * h.x * h.y * h.z / static_cast<double>(count);
+    for (const Vec3& n : fibonacci_directions(count)) {
+        const Vec3 gradient{n.x / h.x, n.y / h.y, n.z / h.z}; // its length times the volume is the area of the image
+        visit(Vec3{n.x * h.x, n.y * h.y, n.z * h.z}, normalized(gradient), share * norm(gradient));
+    }
+}
+
+/// As over_boundary(), of the flat ends of a cylinder.
+template <class Visit> void over_ends(const Fit& fit, double area_each, Visit visit) {
+    constexpr double pi = std::numbers::pi;
+    const double r = fit.radius;
+    const int count = std::max(8, static_cast<int>(pi * r * r / area_each));
+    const double area = pi * r * r / count;
+    for (int k = 0; k < count; ++k) {
+        const double radius = r * std::sqrt((k + 0.5) / count), angle = k * (pi * (3 - std::sqrt(5.0)));
+        for (const double sign : {1.0, -1.0}) {
+            visit(Vec3{radius * std::cos(angle), radius * std::sin(angle), sign * fit.half.z}, Vec3{0, 0, sign}, area);
+        }
+    }
+}
+
 /// Calls visit(point, normal, area) for points spread over the boundary, in the frame of the fit.
 template <class Visit> void over_boundary(const Fit& fit, double area_each, Visit visit) {
     using Kind = Element::Kind;
@@ -113,12 +138,7 @@ template <class Visit> void over_boundary(const Fit& fit, double area_each, Visi
     const Vec3& h = fit.half;
     const double r = fit.radius;
     if (fit.kind == Kind::ellipsoid) {
-        const auto count = std::max<std::size_t>(32, static_cast<std::size_t>(area_of_ellipsoid(fit) / area_each));
-        const double share = 4 * pi * h.x * h.y * h.z / static_cast<double>(count);
-        for (const Vec3& n : fibonacci_directions(count)) {
-            const Vec3 gradient{n.x / h.x, n.y / h.y, n.z / h.z}; // its length times the volume is the area of the image
-            visit(Vec3{n.x * h.x, n.y * h.y, n.z * h.z}, normalized(gradient), share * norm(gradient));
-        }
+        over_ellipsoid(fit, area_each, visit);
         return;
     }
     const auto parts = [](double length, double step) {
@@ -157,15 +177,8 @@ template <class Visit> void over_boundary(const Fit& fit, double area_each, Visi
             }
         }
     }
-    if (cylinder) { // its ends
-        const int count = std::max(8, static_cast<int>(pi * r * r / area_each));
-        const double area = pi * r * r / count;
-        for (int k = 0; k < count; ++k) {
-            const double radius = r * std::sqrt((k + 0.5) / count), angle = k * (pi * (3 - std::sqrt(5.0)));
-            for (const double sign : {1.0, -1.0}) {
-                visit(Vec3{radius * std::cos(angle), radius * std::sin(angle), sign * h.z}, Vec3{0, 0, sign}, area);
-            }
-        }
+    if (cylinder) {
+        over_ends(fit, area_each, visit);
     } else if (r > 0) { // corners
         const auto count = std::max<std::size_t>(32, static_cast<std::size_t>(4 * pi * r * r / area_each));
         const double area = 4 * pi * r * r / static_cast<double>(count);
