@@ -6,6 +6,8 @@
 #include <foam/sdk/plugin.hpp>
 #include <foam/search/cover.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -257,8 +259,7 @@ FOAM_PLUGIN("approximate", "1.0", "Apache-2.0") {
                           "proved.",
                           "Thiery, Guy, Boubekeur: Sphere-Meshes. ACM Transactions on Graphics 32, 2013",
                           with_common({foam::Parameter::text("kinds", "sphere, capsule, cylinder, box")
-                                           .doc("The kinds of elements to choose from: sphere, capsule, cylinder, box, "
-                                                "swept_box, hull, ellipsoid.")},
+                                           .doc(fmt::format("The kinds of elements to choose from: {}.", fmt::join(foam::kind_words(), ", ")))},
                                       "mean_protrusion"),
                           foam::every_kind()));
 }

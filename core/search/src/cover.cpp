@@ -3,7 +3,9 @@
 #include "convex/search.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/geometry/solid_of_balls.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <algorithm>
@@ -72,7 +74,21 @@ Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options) {
 }
 
 Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options) {
-    return cover(*solid_of_balls(balls), count, options);
+    check(options);
+    const std::shared_ptr<const Solid> solid = solid_of_balls(balls);
+    const bool may_be_spheres = std::find(options.kinds.begin(), options.kinds.end(), Element::Kind::sphere) !=
+                                options.kinds.end();
+    if (!may_be_spheres || solid->parts().size() > count) {
+        return cover(*solid, count, options);
+    }
+    std::vector<Sphere> themselves; // nothing covers them with less
+    for (const Solid::Part& part : solid->parts()) {
+        themselves.push_back({part.pose.translation, part.primitive->radius});
+    }
+    themselves = grown_to_cover(*solid, std::move(themselves));
+    const Certificate certificate = certify(*solid, themselves);
+    const double volume = union_volume(themselves);
+    return {std::move(themselves), certificate, volume};
 }
 
 } // namespace foam::inline search

@@ -20,12 +20,6 @@ void add_to(Hasher& hasher, const Mesh& mesh) {
     hasher.bytes(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
 }
 
-void add_primitive(Hasher& hasher, const Element& primitive) {
-    const bool has_size = primitive.kind == Element::Kind::box || primitive.kind == Element::Kind::ellipsoid;
-    const Vec3 size = has_size ? primitive.half * 2 : Vec3{}; // in the form of epochs before, whose seeds stay
-    hasher.add(to_string(primitive.kind)).add(size).add(primitive.radius).add(has_size ? 0 : 2 * primitive.half.z);
-}
-
 void add_to(Hasher& hasher, const Element& element) {
     hasher.add(to_string(element.kind)).add(element.pose).add(element.half).add(element.radius);
     if (element.hull) {
@@ -34,6 +28,20 @@ void add_to(Hasher& hasher, const Element& element) {
             hasher.add(face.normal).add(face.offset);
         }
     }
+}
+
+void add_primitive(Hasher& hasher, const Element& primitive) {
+    using Kind = Element::Kind;
+    const bool box = primitive.kind == Kind::box, round = primitive.kind == Kind::sphere ||
+                                                          primitive.kind == Kind::capsule ||
+                                                          primitive.kind == Kind::cylinder;
+    if (!box && !round) {
+        add_to(hasher, primitive);
+        return;
+    }
+    // In the form of the epoch before, on which seeds depend.
+    hasher.add(to_string(primitive.kind)).add(box ? primitive.half * 2 : Vec3{}).add(primitive.radius);
+    hasher.add(box ? 0 : 2 * primitive.half.z);
 }
 
 void add_to(Hasher& hasher, const SphereTree& tree) {
