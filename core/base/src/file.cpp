@@ -71,8 +71,7 @@ ssize_t read_up_to(int descriptor, char* target, std::size_t size) {
 
 /// Opens a regular file and calls read(descriptor, size, bytes), which returns how much it read, -1 on an error.
 template <class Read>
-FileContents read_by(const std::filesystem::path& file, std::uintmax_t most_bytes, std::string_view if_too_large,
-                     Read read) {
+FileContents read_by(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large, Read read) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) {
         return errno == ENOENT || errno == ENOTDIR ? problem("there is no such file", "check the path")
@@ -89,8 +88,8 @@ FileContents read_by(const std::filesystem::path& file, std::uintmax_t most_byte
         return not_regular(status);
     }
     const auto size = static_cast<std::uintmax_t>(status.st_size);
-    if (size > most_bytes) {
-        return problem(fmt::format("it has {} bytes, more than {}", size, most_bytes), if_too_large);
+    if (size > most) {
+        return problem(fmt::format("it has {} bytes, more than {}", size, most), if_too_large);
     }
     FileContents result;
     const ssize_t got = read(descriptor.number(), size, result.bytes);
@@ -106,17 +105,16 @@ FileContents read_by(const std::filesystem::path& file, std::uintmax_t most_byte
 
 } // namespace
 
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
-                               std::string_view if_too_large) {
-    return read_by(file, most_bytes, if_too_large, [](int descriptor, std::uintmax_t size, std::string& bytes) {
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large) {
+    return read_by(file, most, if_too_large, [](int descriptor, std::uintmax_t size, std::string& bytes) {
         bytes.resize(size);
         return read_up_to(descriptor, bytes.data(), size);
     });
 }
 
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
-                               std::string_view if_too_large, const std::function<void(std::string_view)>& take) {
-    return read_by(file, most_bytes, if_too_large, [&](int descriptor, std::uintmax_t size, std::string&) {
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large,
+                               const std::function<void(std::string_view)>& take) {
+    return read_by(file, most, if_too_large, [&](int descriptor, std::uintmax_t size, std::string&) {
         constexpr std::size_t at_once = std::size_t{1} << 18;
         std::string piece(std::min<std::uintmax_t>(at_once, size), '\0');
         ssize_t done = 0;

@@ -20,16 +20,15 @@ struct FileContents {
     std::string why_not() const { return problem.empty() ? "" : problem + "; remedy: " + remedy; }
 };
 
-/// Reads a regular file of at most `most_bytes`; it checks the size before reading. It refuses folders, pipes and
+/// Reads a regular file of at most `most` bytes; it checks the size before reading. It refuses folders, pipes and
 /// devices without waiting for them, and a file whose size changes while it is read. `if_too_large`: the remedy for a
-/// file above `most_bytes`.
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
-                               std::string_view if_too_large);
+/// file above `most` bytes.
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large);
 
 /// Reads the same piece by piece, so that a large file takes no memory: calls take(bytes) in order. `bytes` of the
 /// result stays empty.
-FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most_bytes,
-                               std::string_view if_too_large, const std::function<void(std::string_view)>& take);
+FileContents read_regular_file(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large,
+                               const std::function<void(std::string_view)>& take);
 
 /// Returns a file's extension without its dot, in lower case (ASCII); empty if there is none. Stages declare theirs so.
 std::string extension_of(const std::filesystem::path& file);
