@@ -24,9 +24,8 @@ void declare_drake(SphereUrdf& urdf) {
     const std::string* declared = urdf.root().attribute("xmlns:drake");
     if (declared && *declared != drake_namespace) {
         throw Error(ErrorCode::output,
-                    fmt::format("{}:{}: xmlns:drake is '{}', which Drake does not read; remedy: xmlns:drake=\"{}\"",
-                                urdf.model().robot->file.string(), urdf.root().line, shown(*declared),
-                                drake_namespace));
+                    fmt::format("{}: xmlns:drake is '{}', which Drake does not read; remedy: xmlns:drake=\"{}\"",
+                                urdf.place_of(urdf.root()), shown(*declared), drake_namespace));
     }
     if (!declared) {
         urdf.editor().set_attribute(urdf.root(), "xmlns:drake", drake_namespace);

@@ -122,12 +122,17 @@ private:
     std::string first_;
 };
 
+/// Returns where relative paths lead from, in words.
+std::string folder_in_words(const Robot& robot) {
+    return robot.file.empty() ? "the current folder" : "the folder of " + robot.file.string();
+}
+
 MovedReferences kept(const std::vector<Reference>& references, bool on_purpose, const SphereModel& model) {
     return {.moved = {},
             .messages = {{on_purpose ? Severity::info : Severity::warning,
                           fmt::format("relative paths of meshes are kept as they are (the first: '{}'); they lead to "
-                                      "their files from the folder of {}",
-                                      references.front().path, model.robot->file.string())}}};
+                                      "their files from {}",
+                                      references.front().path, folder_in_words(*model.robot))}}};
 }
 
 } // namespace
@@ -181,7 +186,7 @@ MovedReferences moved_references(const std::vector<Reference>& all, const std::s
     const std::string which = absolute ? "paths" : "relative paths";
     rewritten.say(result, Severity::info, which, "are rewritten so that they lead to their files");
     lost.say(result, Severity::warning, which,
-             fmt::format("lead to no file from the folder of {} and are kept as they are", model.robot->file.string()));
+             fmt::format("lead to no file from {} and are kept as they are", folder_in_words(*model.robot)));
     outside.say(result, Severity::warning, which,
                 "lead to files in no package, a folder with a package.xml, and are kept as they are");
     return result;

@@ -12,22 +12,9 @@ namespace {
 
 using Kind = Element::Kind;
 
-std::string three_numbers(const Vec3& v) {
-    return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
-}
-
 std::string collision_element(const Vec3& xyz, const Vec3& rpy, const std::string& shape, const UrdfWords& words) {
     return "<collision><origin xyz=\"" + three_numbers(xyz) + "\" rpy=\"" + three_numbers(rpy) + "\"/><geometry>" +
            shape + "</geometry>" + words.properties + "</collision>";
-}
-
-/// Returns the shape of an element that is centred at its origin.
-std::string shape_of(const Element& element, const UrdfWords& words) {
-    if (element.kind == Kind::box) {
-        return "<box size=\"" + three_numbers(element.half * 2) + "\"/>";
-    }
-    return fmt::format("<{} radius=\"{}\" length=\"{}\"/>", element.kind == Kind::capsule ? words.capsule : "cylinder",
-                       number_text(element.radius), number_text(2 * element.half.z));
 }
 
 [[noreturn]] void unreadable(const xml::Element& element, const std::string& why) {
@@ -89,6 +76,21 @@ std::optional<Element> read_shape(const xml::Element& shape, const std::map<std:
 
 } // namespace
 
+std::string three_numbers(const Vec3& v) {
+    return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
+}
+
+std::string shape_text(const Element& element, const UrdfWords& words) {
+    if (element.kind == Kind::sphere) {
+        return "<sphere radius=\"" + number_text(element.radius) + "\"/>";
+    }
+    if (element.kind == Kind::box) {
+        return "<box size=\"" + three_numbers(element.half * 2) + "\"/>";
+    }
+    return fmt::format("<{} radius=\"{}\" length=\"{}\"/>", element.kind == Kind::capsule ? words.capsule : "cylinder",
+                       number_text(element.radius), number_text(2 * element.half.z));
+}
+
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
                                             const std::function<std::string()>& uri_of_hull) {
     std::vector<std::string> result;
@@ -106,7 +108,7 @@ std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfW
         }
         const Vec3 rpy = short_roll_pitch_yaw(element.pose);
         const Element stated = stated_at(element, Pose::from_xyz_rpy(element.pose.translation, rpy));
-        result.push_back(collision_element(element.pose.translation, rpy, shape_of(stated, words), words));
+        result.push_back(collision_element(element.pose.translation, rpy, shape_text(stated, words), words));
     }
     return result;
 }

@@ -18,6 +18,12 @@ struct UrdfWords {
     std::string properties{};        ///< elements that each <collision> gets besides
 };
 
+/// Returns the numbers with blanks between them, each with all its digits.
+std::string three_numbers(const Vec3& v);
+
+/// Returns the shape of an element that is centred at its origin: a sphere, box, cylinder or capsule.
+std::string shape_text(const Element& element, const UrdfWords& words);
+
 /// Returns the <collision> elements of a link's elements. `uri_of_hull`: the reference to the mesh of the next hull, as
 /// text for an attribute.
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,

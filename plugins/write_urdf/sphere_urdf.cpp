@@ -1,9 +1,11 @@
 #include "sphere_urdf.hpp"
 
+#include "composed.hpp"
 #include "references.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/planning.hpp>
 
 #include <fmt/format.h>
 
@@ -12,18 +14,20 @@
 namespace foam {
 namespace {
 
-std::unique_ptr<const xml::Element> urdf_of(const SphereModel& model, const std::string& writer) {
-    if (!model.robot || model.robot->source.empty()) {
+/// Returns the text of the robot's file, or one composed of what the robot has.
+std::string urdf_of(const SphereModel& model, const std::string& writer) {
+    if (!model.robot || (model.robot->source.empty() && has_only_names(*model.robot))) {
         throw Error(ErrorCode::output,
                     writer + ": the robot has no URDF text to put the spheres into; remedy: give its URDF");
     }
-    return xml::parse(model.robot->source, model.robot->file.string(), ErrorCode::output);
+    return model.robot->source.empty() ? composed_urdf(*model.robot) : model.robot->source;
 }
 
 } // namespace
 
 SphereUrdf::SphereUrdf(const SphereModel& model, std::string writer)
-    : model_(model), writer_(std::move(writer)), root_(urdf_of(model, writer_)), editor_(model.robot->source) {
+    : model_(model), writer_(std::move(writer)), text_(urdf_of(model, writer_)),
+      root_(xml::parse(text_, model.robot->file.string(), ErrorCode::output)), editor_(text_) {
     for (const auto& child : root_->children) {
         if (const std::string* name = child->attribute("name")) {
             elements_.emplace(std::pair(child->name, *name), child.get());
@@ -47,8 +51,13 @@ const xml::Element& SphereUrdf::joint(const std::string& name) const {
     return element("joint", name);
 }
 
+std::string SphereUrdf::place_of(const xml::Element& element) const {
+    return model_.robot->source.empty() ? fmt::format("robot '{}'", shown(model_.robot->name))
+                                        : fmt::format("{}:{}", model_.robot->file.string(), element.line);
+}
+
 std::string SphereUrdf::attribute_text(std::string_view value) const {
-    return foam::attribute_text(value, model_.robot->source);
+    return foam::attribute_text(value, text_);
 }
 
 void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfWords& words,
@@ -76,7 +85,7 @@ void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfW
 }
 
 void SphereUrdf::move_references(const std::string& mesh_paths, Context& context) {
-    const std::vector<Reference> references = references_of(model_.robot->source, *root_, replaced_);
+    const std::vector<Reference> references = references_of(text_, *root_, replaced_);
     const MovedReferences moved = moved_references(references, mesh_paths, model_);
     for (const Reference& reference : moved.moved) {
         editor_.replace(reference.span, attribute_text(reference.path));

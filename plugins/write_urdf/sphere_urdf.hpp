@@ -17,7 +17,7 @@ namespace foam {
 /// A URDF text that is being changed.
 class SphereUrdf {
 public:
-    /// Throws Error(output) if the robot has no URDF text. `writer`: its name, for messages. The model must outlive it.
+    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its name, for messages. The model must outlive it.
     SphereUrdf(const SphereModel& model, std::string writer);
 
     const std::string& writer() const { return writer_; }
@@ -28,6 +28,8 @@ public:
     const xml::Element& link(const std::string& name) const;
     /// Returns the <joint>. Throws Error(output) if there is none.
     const xml::Element& joint(const std::string& name) const;
+    /// Returns the file and line of an element, for messages; the robot's name if it is of no file.
+    std::string place_of(const xml::Element& element) const;
     /// Returns whether the link's collision geometry is replaced: by spheres, or by none.
     bool is_replaced(const std::string& name) const { return replaced_.contains(name); }
     /// Returns a text for an attribute, in any quotes and in the encoding of the text.
@@ -45,7 +47,7 @@ private:
     const xml::Element& element(const char* kind, const std::string& name) const;
 
     const SphereModel& model_;
-    std::string writer_;
+    std::string writer_, text_;
     std::unique_ptr<const xml::Element> root_;
     std::map<std::pair<std::string, std::string>, const xml::Element*> elements_; ///< by kind and name
     std::set<std::string> replaced_;

@@ -64,9 +64,9 @@ void require_only_spheres(const SphereUrdf& urdf) {
             const xml::Element* geometry = collision->child("geometry");
             if (!geometry || !geometry->child("sphere")) {
                 throw Error(ErrorCode::output,
-                            fmt::format("{}: link '{}' has collision geometry, but no spheres ({}:{}), and cricket "
+                            fmt::format("{}: link '{}' has collision geometry, but no spheres ({}), and cricket "
                                         "reads spheres only; remedy: a model with spheres for it",
-                                        urdf.writer(), link.name, urdf.model().robot->file.string(), collision->line));
+                                        urdf.writer(), link.name, urdf.place_of(*collision)));
             }
         }
     }

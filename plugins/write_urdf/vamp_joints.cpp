@@ -14,18 +14,14 @@
 namespace foam {
 namespace {
 
-std::string vector_of(const Vec3& v) {
-    return number_text(v.x) + " " + number_text(v.y) + " " + number_text(v.z);
-}
-
 /// Makes a joint fixed at `value`; its origin keeps its bytes if it does not change.
 void fix(SphereUrdf& urdf, const Joint& joint, double value) {
     const xml::Element& element = urdf.joint(joint.name);
     urdf.editor().set_attribute(element, "type", "fixed");
     const Pose pose = joint.origin * joint_motion(joint, value);
     if (pose != joint.origin) {
-        std::string origin = fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", vector_of(pose.translation),
-                                         vector_of(roll_pitch_yaw(pose)));
+        std::string origin = fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", three_numbers(pose.translation),
+                                         three_numbers(roll_pitch_yaw(pose)));
         if (const xml::Element* old = element.child("origin")) {
             urdf.editor().replace(old->span, std::move(origin));
         } else {

@@ -33,13 +33,15 @@ std::string pose_text(const Pose& pose) {
 }
 
 /// Returns the mass properties that a robot states, in the link's frame: fullinertia of MJCF allows no orientation.
-MassProperties stated_mass(const Inertial& inertial, const std::string& file) {
+MassProperties stated_mass(const Inertial& inertial, const Robot& robot, const std::string& link) {
     if (!inertial.problem.empty()) {
         throw Error(ErrorCode::input, inertial.problem);
     }
     if (!inertial.mass || !inertial.moments) {
         throw Error(ErrorCode::output,
-                    fmt::format("{}:{}: <inertial> needs <mass> and <inertia> for MuJoCo", file, inertial.line));
+                    fmt::format("{}: <inertial> needs <mass> and <inertia> for MuJoCo",
+                                inertial.line > 0 ? fmt::format("{}:{}", robot.file.string(), inertial.line)
+                                                  : fmt::format("link '{}'", shown(link))));
     }
     const auto& [xx, yy, zz, xy, xz, yz] = *inertial.moments;
     const Vec3 rows[3] = {{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
@@ -266,7 +268,7 @@ private:
     void add_inertial(const std::string& link, bool moves, std::size_t depth) {
         const std::optional<Inertial>& inertial = model_.robot->find_link(link)->inertial;
         const auto stated =
-            inertial ? std::optional(stated_mass(*inertial, model_.robot->file.string())) : std::nullopt;
+            inertial ? std::optional(stated_mass(*inertial, *model_.robot, link)) : std::nullopt;
         if (stated && is_of_a_body(*stated)) {
             line(depth, inertial_text(*stated));
         } else if (stated && stated->mass > 0) {

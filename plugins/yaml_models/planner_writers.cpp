@@ -11,15 +11,6 @@ namespace {
 
 using yaml::Value;
 
-/// Returns the URDF as a program finds it: the absolute path; without a folder the name of the file.
-std::string urdf_path(const SphereModel& model, const std::string& given) {
-    if (!given.empty()) {
-        return given;
-    }
-    return model.folder.empty() ? model.robot->file.filename().string()
-                                : std::filesystem::absolute(model.robot->file).lexically_normal().string();
-}
-
 Value names_of_links(const std::vector<LinkSpheres>& links) {
     Value names = yaml::list();
     for (const LinkSpheres& link : links) {
@@ -80,7 +71,7 @@ Value CuroboWriter::document(const SphereModel& model, const std::vector<LinkSph
     warn_without_pairs(model, context);
     const PlannedJoints joints = planned_joints(model);
     require_active_joints(joints, name());
-    const std::string urdf = urdf_path(model, urdf_path_);
+    const std::string urdf = urdf_path_.empty() ? urdf_path(model, context) : urdf_path_;
     Value kinematics = yaml::map();
     if (!old_) {
         yaml::append(kinematics, "format_version", yaml::real(2));

@@ -1,6 +1,7 @@
 #include "robot_values.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,19 @@ Value map_of(const PlannedJoints::Positions& joints) {
 
 Value repeated(double value, std::size_t count) {
     return yaml::list(std::vector<double>(count, value));
+}
+
+std::string urdf_path(const SphereModel& model, Context& context) {
+    namespace fs = std::filesystem;
+    const Robot& robot = *model.robot;
+    const fs::path file = robot.file.empty() ? model.folder / (robot.name + ".urdf") : robot.file;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        context.log(Severity::warning, fmt::format("the URDF that the file refers to is not there: {}; remedy: put it "
+                                                   "there, or correct urdf_path in the file",
+                                                   shown(file.string())));
+    }
+    return model.folder.empty() ? file.filename().string() : fs::absolute(file).lexically_normal().string();
 }
 
 void require_below_base(const SphereModel& model, const std::vector<LinkSpheres>& links, const std::string& writer) {

@@ -61,6 +61,38 @@ TEST(WriterContract, GivesAwkwardModelsBackOrRefusesThem) {
     EXPECT_GE(read_back, 6);
 }
 
+TEST(WriterContract, TakesARobotOfNoFile) {
+    QuietContext context;
+    for_each_writer([&](const std::string&, const Writer& writer) {
+        SphereModel model = plain_model();
+        auto robot = std::make_shared<Robot>(*model.robot);
+        robot->file.clear();
+        robot->source.clear();
+        model.robot = robot;
+        for (const char* folder : {"", "/somewhere"}) {
+            model.folder = folder;
+            EXPECT_EQ(read_spheres(writer, writer.write(model, context)), spheres_of(model));
+        }
+    });
+}
+
+TEST(WriterContract, RobotFilesNeedMoreThanTheNamesOfLinks) {
+    Registry registry;
+    registry.load_directory(FOAM_TEST_PLUGINS);
+    auto names = std::make_shared<Robot>();
+    names->name = "names";
+    names->root = "only";
+    names->links = {{.name = "only", .collisions = {}, .visuals = {}}};
+    const SphereModel model = model_of(names, {group_of("only", {}, flat_tree({{{0, 0, 0}, 1}}))});
+    for (const char* name : {"write.curobo", "write.xrdf", "write.lula", "write.plainmp"}) {
+        EXPECT_EQ(refusal(*registry.make<Writer>(name), model),
+                  std::string(name) + " needs the robot, not only its spheres; remedy: give its URDF");
+    }
+    for (const char* name : {"write.urdf", "write.vamp"}) {
+        EXPECT_THAT(refusal(*registry.make<Writer>(name), model), testing::HasSubstr("no URDF text")) << name;
+    }
+}
+
 TEST(WriterContract, EqualModelsGiveEqualBytes) {
     QuietContext one(1), two(2);
     for_each_writer([&](const std::string&, const Writer& writer) {

@@ -43,6 +43,64 @@ const char* const arm = R"(<robot name="arm">
 </robot>
 )";
 
+void expect_equal(const Pose& a, const Pose& b) {
+    EXPECT_EQ(a.translation, b.translation);
+    for (std::size_t row = 0; row < 3; ++row) {
+        EXPECT_LT(norm(a.rotation[row] - b.rotation[row]), 1e-15);
+    }
+}
+
+void expect_equal(const std::vector<GeometryElement>& a, const std::vector<GeometryElement>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].name, b[i].name);
+        expect_equal(a[i].origin, b[i].origin);
+        ASSERT_EQ(a[i].geometry.index(), b[i].geometry.index());
+        if (const auto* mesh = std::get_if<MeshReference>(&a[i].geometry)) {
+            EXPECT_EQ(mesh->uri, std::get<MeshReference>(b[i].geometry).uri);
+            EXPECT_EQ(mesh->scale, std::get<MeshReference>(b[i].geometry).scale);
+        } else {
+            EXPECT_EQ(std::get<Primitive>(a[i].geometry), std::get<Primitive>(b[i].geometry));
+        }
+        ASSERT_EQ(a[i].material == nullptr, b[i].material == nullptr);
+        if (a[i].material) {
+            EXPECT_EQ(a[i].material->name, b[i].material->name);
+            EXPECT_EQ(a[i].material->rgba, b[i].material->rgba);
+            EXPECT_EQ(a[i].material->texture, b[i].material->texture);
+        }
+    }
+}
+
+void expect_equal(const Link& a, const Link& b) {
+    SCOPED_TRACE(b.name);
+    EXPECT_EQ(a.name, b.name);
+    expect_equal(a.collisions, b.collisions);
+    expect_equal(a.visuals, b.visuals);
+    ASSERT_EQ(a.inertial.has_value(), b.inertial.has_value());
+    if (a.inertial) {
+        EXPECT_EQ(a.inertial->mass, b.inertial->mass);
+        EXPECT_EQ(a.inertial->moments, b.inertial->moments);
+        expect_equal(a.inertial->origin, b.inertial->origin);
+    }
+}
+
+void expect_equal(const Joint& a, const Joint& b) {
+    SCOPED_TRACE(b.name);
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.parent, b.parent);
+    EXPECT_EQ(a.child, b.child);
+    expect_equal(a.origin, b.origin);
+    EXPECT_LT(norm(a.axis - b.axis), 1e-15);
+    EXPECT_EQ(std::tie(a.lower, a.upper, a.limited, a.effort, a.velocity, a.damping, a.friction),
+              std::tie(b.lower, b.upper, b.limited, b.effort, b.velocity, b.damping, b.friction));
+    ASSERT_EQ(a.mimic.has_value(), b.mimic.has_value());
+    if (a.mimic) {
+        EXPECT_EQ(std::tie(a.mimic->joint, a.mimic->multiplier, a.mimic->offset),
+                  std::tie(b.mimic->joint, b.mimic->multiplier, b.mimic->offset));
+    }
+}
+
 class WriteUrdfExtras : public testing::Test {
 protected:
     WriteUrdfExtras() {
@@ -99,6 +157,50 @@ TEST_F(WriteUrdfExtras, AllLinksWithGeometryGetItForGazebo) {
                                 "0 0\" rpy=\"0 0 0\"/><mass value=\"12000\"/>"));
     EXPECT_THAT(context_.said.front(), HasSubstr("at 2000 kg/m³ is written for base, foot, upper"));
     EXPECT_THAT(context_.said.back(), Not(HasSubstr("frame"))) << "a frame needs none";
+}
+
+TEST_F(WriteUrdfExtras, ARobotWithoutTextGetsOneWithAllThatItHas) {
+    use(R"(<?xml version="1.0"?>
+<robot name="a &lt;b&gt; &quot;c&quot;">
+  <material name="red"><color rgba="1 0.5 0.25 1"/></material>
+  <link name="base">
+    <inertial><origin xyz="0 0 0.1" rpy="0 0 0.5"/><mass value="2.5"/>
+      <inertia ixx="1" ixy="0.1" ixz="0.2" iyy="2" iyz="0.3" izz="2.5"/></inertial>
+    <visual name="skin"><origin xyz="1 2 3"/><geometry><mesh filename="a b.stl" scale="0.001 0.002 -1"/></geometry>
+      <material name="red"/></visual>
+    <visual><geometry><capsule radius="0.1" length="0.3"/></geometry>
+      <material name="wood"><texture filename="wood.png"/></material></visual>
+    <collision name="hull"><origin xyz="0 0 1" rpy="0.3 -0.2 1"/><geometry><box size="1 2 0.3"/></geometry></collision>
+  </link>
+  <link name="upper"><collision><geometry><cylinder radius="0.25" length="0.7"/></geometry></collision></link>
+  <link name="bare"/><link name="left"/><link name="right"/><link name="far"/>
+  <joint name="lift" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 0.1" rpy="1 0 0"/>
+    <axis xyz="0 0.6 0.8"/><limit lower="-1" upper="2" effort="5" velocity="3"/>
+    <dynamics damping="0.5" friction="0.25"/></joint>
+  <joint name="weld" type="fixed"><parent link="upper"/><child link="bare"/></joint>
+  <joint name="a" type="prismatic"><parent link="bare"/><child link="left"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.04" effort="1" velocity="1"/></joint>
+  <joint name="b" type="prismatic"><parent link="bare"/><child link="right"/><axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.04" effort="1" velocity="1"/><mimic joint="a" multiplier="-2" offset="0.01"/></joint>
+  <joint name="roll" type="continuous"><parent link="right"/><child link="far"/><axis xyz="0 0 1"/></joint>
+</robot>)");
+    const Robot whole = *model_.robot;
+    auto without_text = std::make_shared<Robot>(whole);
+    without_text->source.clear();
+    model_.robot = without_text;
+    model_.groups = {group_of("far", {}, flat_tree({{{0, 0, 0}, 2}}))};
+    use(written({{"mesh_paths", "keep"}}));
+    const Robot& read = *model_.robot;
+    EXPECT_EQ(read.name, whole.name);
+    ASSERT_EQ(read.links.size(), whole.links.size());
+    for (std::size_t i = 0; i + 1 < whole.links.size(); ++i) {
+        expect_equal(read.links[i], whole.links[i]);
+    }
+    ASSERT_EQ(read.joints.size(), whole.joints.size());
+    for (std::size_t i = 0; i < whole.joints.size(); ++i) {
+        expect_equal(read.joints[i], whole.joints[i]);
+    }
+    EXPECT_EQ(read.links.back().collisions.size(), 1U);
 }
 
 TEST_F(WriteUrdfExtras, AMeshThatIsNotClosedIsTold) {

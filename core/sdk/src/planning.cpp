@@ -60,8 +60,14 @@ static void require_link(const SphereModel& model, const std::string& link, cons
     }
 }
 
+bool has_only_names(const Robot& robot) {
+    return robot.joints.empty() && std::all_of(robot.links.begin(), robot.links.end(), [](const Link& link) {
+               return link.collisions.empty() && link.visuals.empty();
+           });
+}
+
 void require_robot(const SphereModel& model, const std::string& writer) {
-    if (!model.robot || model.robot->file.empty()) {
+    if (!model.robot || has_only_names(*model.robot)) {
         throw Error(ErrorCode::output,
                     fmt::format("{} needs the robot, not only its spheres; remedy: give its URDF", writer));
     }

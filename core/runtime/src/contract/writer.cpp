@@ -16,13 +16,10 @@ SphereModel model() {
     robot->name = "pair";
     robot->root = "base";
     robot->file = "pair.urdf";
-    robot->source = "<robot name=\"pair\">\n";
     for (const char* name : {"base", "tool"}) {
         GeometryElement box;
         box.geometry = Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
         robot->links.push_back({.name = name, .collisions = {box}, .visuals = {}});
-        robot->source += fmt::format(
-            "  <link name=\"{}\"><collision><geometry><box size=\"1 1 1\"/></geometry></collision></link>\n", name);
     }
     Joint joint;
     joint.name = "wrist";
@@ -32,9 +29,6 @@ SphereModel model() {
     joint.lower = -1;
     joint.upper = 2;
     robot->joints.push_back(joint);
-    robot->source +=
-        "  <joint name=\"wrist\" type=\"revolute\"><parent link=\"base\"/><child link=\"tool\"/><axis xyz=\"1 0 0\"/>"
-        "<limit lower=\"-1\" upper=\"2\" effort=\"1\" velocity=\"1\"/></joint>\n</robot>\n";
 
     SphereModel model;
     model.name = "contract";

@@ -2,8 +2,6 @@
 
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/base/markup.hpp>
-#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 
@@ -35,19 +33,6 @@ Robot robot_of_mesh(const fs::path& file, const std::string& reference, double s
     robot.name = file.stem().string();
     robot.root = robot.name;
     robot.file = file;
-    const std::string scaled = scale == 1 ? "" : fmt::format(" scale=\"{0} {0} {0}\"", number_text(scale));
-    robot.source = fmt::format("<?xml version=\"1.0\"?>\n"
-                               "<robot name=\"{0}\">\n"
-                               "  <link name=\"{0}\">\n"
-                               "    <visual>\n"
-                               "      <geometry><mesh filename=\"{1}\"{2}/></geometry>\n"
-                               "    </visual>\n"
-                               "    <collision>\n"
-                               "      <geometry><mesh filename=\"{1}\"{2}/></geometry>\n"
-                               "    </collision>\n"
-                               "  </link>\n"
-                               "</robot>\n",
-                               markup_escaped(robot.name), markup_escaped(reference), scaled);
     Link link;
     link.name = robot.name;
     GeometryElement element;

@@ -27,6 +27,8 @@ PlannedJoints planned_joints(const SphereModel& model);
 /// joints, whose links stand at the origin.
 std::map<std::string, Pose> placed_links(const SphereModel& model);
 
+/// Returns whether only the names of links are known: the robot has neither joints nor geometry.
+bool has_only_names(const Robot& robot);
 /// Throws Error(output) if the model has no robot but the names of links. `writer`: its name, for the message.
 void require_robot(const SphereModel& model, const std::string& writer);
 /// Returns RobotFacts::base_link, or the root link. Throws Error(output) for a link that the robot does not have.
