@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <unistd.h>
+#include <utility>
 
 namespace foam::cli {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 /// Set once, before the command runs.
 struct Showing {
     bool colour_out = false, colour_err = false;
-    std::string standard_input;
+    std::vector<std::string> standard_input;
 };
 
 Showing& showing() {
@@ -81,14 +82,18 @@ void choose_colours(Colour colour) {
     showing().colour_err = colour == Colour::always || (colour == Colour::automatic && takes_colour(STDERR_FILENO));
 }
 
-void show_as_standard_input(const std::string& file) {
-    showing().standard_input = file;
+void show_as_standard_input(std::vector<std::string> names) {
+    showing().standard_input = std::move(names);
 }
 
 std::string with_names(std::string text) {
-    const std::string& file = showing().standard_input;
-    for (std::size_t at = 0; !file.empty() && (at = text.find(file, at)) != text.npos;) {
-        text.replace(at, file.size(), "stdin");
+    constexpr std::string_view shown = "stdin", of_longer_names = "_-0123456789";
+    for (const std::string& name : showing().standard_input) {
+        for (std::size_t at = 0; (at = text.find(name, at)) != text.npos; at += shown.size()) {
+            if (const char next = text[at + name.size()]; of_longer_names.find(next) == of_longer_names.npos) {
+                text.replace(at, name.size(), shown);
+            }
+        }
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::cli {
 
@@ -11,10 +12,10 @@ enum class Colour { automatic, always, never };
 
 /// Chooses colours. Automatic: on a terminal, unless NO_COLOR is set or TERM is "dumb".
 void choose_colours(Colour colour);
-/// Shows "stdin" in the place of this file.
-void show_as_standard_input(const std::string& file);
+/// Shows "stdin" in the place of these names.
+void show_as_standard_input(std::vector<std::string> names);
 
-/// Returns the text with "stdin" for the file that holds the standard input.
+/// Returns the text with "stdin" for the names of show_as_standard_input().
 std::string with_names(std::string text);
 enum class Stream { out, err };
 /// Returns a text for people as the stream shows it: errors and statements that do not hold red, warnings yellow,

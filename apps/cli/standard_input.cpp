@@ -4,9 +4,7 @@
 #include "recipe_file.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/sdk/resource.hpp>
 #include <foam/xml/document.hpp>
-#include <foam/xml/editor.hpp>
 
 #include <fmt/format.h>
 
@@ -19,7 +17,6 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <iterator>
 
 namespace foam::cli {
 namespace {
@@ -93,43 +90,6 @@ bool is_obj(std::string_view text) {
     const std::string_view word = text.substr(0, text.find_first_of(" \t"));
     constexpr std::array words{"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"};
     return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// Returns the place that a reference of a robot in the current folder leads to; empty where it leads to the same from
-/// any folder, or where a package is not found.
-std::string place_of(const std::string& reference) {
-    const ResourceResolver resolver = ResourceResolver::from_environment();
-    const bool relative = reference.find("://") == reference.npos;
-    if (!relative && resolver.resolve(reference, "/").found()) {
-        return {};
-    }
-    const ResolvedResource found = resolver.resolve(reference, fs::current_path());
-    return found.found() ? found.path.string() : relative ? (fs::current_path() / reference).string() : "";
-}
-
-void place_references(const xml::Element& element, xml::Editor& editor) {
-    const std::string* reference = element.attribute("filename");
-    if (reference && (element.name == "mesh" || element.name == "texture")) {
-        if (const std::string place = place_of(*reference); !place.empty()) {
-            editor.set_attribute(element, "filename", place);
-        }
-    }
-    for (const auto& child : element.children) {
-        place_references(*child, editor);
-    }
-}
-
-/// Returns a URDF whose relative references lead from the current folder. A text that is no XML stays as it is: its
-/// loader has the better message.
-std::string placed(const std::string& urdf) {
-    try {
-        const auto root = xml::parse(urdf, "stdin", ErrorCode::input);
-        xml::Editor editor(urdf);
-        place_references(*root, editor);
-        return editor.result();
-    } catch (const Error&) {
-        return urdf;
-    }
 }
 
 } // namespace
@@ -225,13 +185,9 @@ void StandardInput::store(std::string& argument, Holds holds) {
         file += "." + ending;
         fs::rename(raw, file);
     }
-    if (ending == "urdf") {
-        std::ifstream whole(file, std::ios::binary);
-        const std::string text = placed({std::istreambuf_iterator<char>(whole), {}});
-        std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
-    }
     file_ = argument = file.string();
-    show_as_standard_input(file_);
+    name_ = fs::current_path() / file.filename();
+    show_as_standard_input({file_, name_.string()});
 }
 
 std::string named(const std::string& argument) {

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ public:
     bool is(const std::string& argument) const { return !file_.empty() && argument == file_; }
     /// Returns the temporary file; empty if no argument was `-`.
     const std::string& file() const { return file_; }
+    /// Returns the name that the content goes by: a file in the current folder, from which relative references lead. It
+    /// does not exist. Empty if no argument was `-`.
+    const std::filesystem::path& name() const { return name_; }
+    /// Returns name() for the argument that was `-`; empty for another.
+    std::filesystem::path name_of(const std::string& argument) const {
+        return is(argument) ? name_ : std::filesystem::path();
+    }
 
 private:
     struct Single {
@@ -45,6 +53,7 @@ private:
     std::vector<Single> single_;
     std::vector<Several> several_;
     std::string format_, file_;
+    std::filesystem::path name_;
     std::optional<ScratchFolder> folder_;
 };
 

@@ -63,6 +63,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
         tell_input(recipe);
     }
     run_options.out = directory;
+    run_options.input_name = options.input_name;
     run_options.fresh = options.fresh;
     run_options.report = options.report;
     run_options.threads = options.threads;

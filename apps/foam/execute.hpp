@@ -22,6 +22,7 @@ struct ExecuteOptions {
     bool force = false;               ///< replace inputs
     bool report = true;               ///< of the run directory
     std::optional<double> time_limit; ///< s; instead of the recipe's
+    std::filesystem::path input_name; ///< see RunOptions
     std::vector<std::filesystem::path> targets; ///< where the result goes beside the run directory
     /// Looks at the manifest before anything is put in place; see RunOptions.
     std::function<void(const std::string& manifest)> accept;

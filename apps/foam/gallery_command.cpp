@@ -161,7 +161,9 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     const SubjectOptions options{.files = {arguments.input},
                                  .unit = arguments.unit,
                                  .geometry = covered_geometry(arguments.geometry),
-                                 .srdf = arguments.srdf};
+                                 .srdf = arguments.srdf,
+                                 .nameless = program.standard_input.file(),
+                                 .nameless_name = program.standard_input.name()};
     const Subject subject = load_subject(options, registry);
     for (const std::string& note : subject.notes) {
         tell(fmt::format("warning: {}", note));

@@ -85,8 +85,11 @@ void add_judge_options(CLI::App& command, Program& program, JudgeOptions& option
 }
 
 Original original_of(Program& program, const JudgeOptions& options) {
-    Original original = load_original(options.original, program.registry(), options.links, options.unit,
-                                      covered_geometry(options.geometry));
+    Original original = load_original(options.original, program.registry(),
+                                      {.links = options.links,
+                                       .unit = options.unit,
+                                       .geometry = covered_geometry(options.geometry),
+                                       .name = program.standard_input.name_of(options.original)});
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));
     }
@@ -95,7 +98,8 @@ Original original_of(Program& program, const JudgeOptions& options) {
 
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
                       bool alone) {
-    SphereFile spheres = read_sphere_file(file, program.registry(), options.reader);
+    SphereFile spheres = read_sphere_file(file, program.registry(), options.reader, Radii::as_used,
+                                          program.standard_input.name_of(file));
     if (alone) {
         require_renames(options.renames, {&spheres});
     }

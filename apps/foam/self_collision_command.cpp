@@ -36,11 +36,24 @@ struct SelfCollisionArguments {
     bool json = false, force = false;
 };
 
+/// Returns the robot with the spheres of --model, or with its own and certified ones.
+CollisionModel model_of_robot(const Program& program, const SelfCollisionArguments& arguments,
+                              const Registry& registry) {
+    const StandardInput& piped = program.standard_input;
+    const OriginalOptions options{.name = piped.name_of(arguments.urdf)};
+    if (arguments.model.empty()) {
+        return load_collision_model(arguments.urdf, registry, arguments.spheres, options);
+    }
+    const Original original = load_original(arguments.urdf, registry, options);
+    refuse_mesh(*original.loaded);
+    return collision_model_of(original, match(original,
+                                              read_sphere_file(arguments.model, registry, arguments.reader,
+                                                               Radii::as_used, piped.name_of(arguments.model)),
+                                              renames_of(arguments.renames)));
+}
+
 CollisionModel model_of(Program& program, const SelfCollisionArguments& arguments) {
-    CollisionModel model = arguments.model.empty()
-                               ? load_collision_model(arguments.urdf, program.registry(), arguments.spheres)
-                               : load_collision_model(arguments.urdf, arguments.model, program.registry(),
-                                                      renames_of(arguments.renames), arguments.reader);
+    CollisionModel model = model_of_robot(program, arguments, program.registry());
     for (const std::string& note : model.notes) {
         tell(fmt::format("warning: {}: {}", arguments.urdf, note));
     }

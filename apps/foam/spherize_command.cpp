@@ -157,7 +157,7 @@ std::vector<WrittenFile> result_for(const fs::path& target, const fs::path& made
 }
 
 int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const QuickRecipe& quick,
-              const Registry& registry) {
+              const Registry& registry, const fs::path& input_name) {
     const fs::path target = output_file(arguments, quick);
     const fs::path beside = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!to_stdout(arguments) && !fs::is_directory(beside)) {
@@ -167,6 +167,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         to_stdout(arguments) || is_special_file(target) ? ScratchFolder() : ScratchFolder(beside);
     const fs::path directory = arguments.run_dir.empty() ? scratch.path() / "run" : fs::path(arguments.run_dir);
     ExecuteOptions options = arguments.execute;
+    options.input_name = input_name;
     const OutputCall& output = recipe.outputs.at(0);
     const StageInfo& writer = registry.find(output.writer.stage)->info;
     if (to_stdout(arguments) && !writer.companions.empty()) {
@@ -238,7 +239,8 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
         print_data(settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
         return 0;
     }
-    return run_quick(arguments, read.recipes.at(0), quick, registry);
+    return run_quick(arguments, read.recipes.at(0), quick, registry,
+                     program.standard_input.name_of(arguments.input));
 }
 
 /// Adds the options that both commands have.

@@ -44,7 +44,8 @@ SubjectOptions subject_options(const Program& program, const ViewArguments& argu
                            .unit = arguments.unit,
                            .geometry = covered_geometry(arguments.geometry),
                            .srdf = arguments.srdf,
-                           .nameless = program.standard_input.file()};
+                           .nameless = program.standard_input.file(),
+                           .nameless_name = program.standard_input.name()};
     return options;
 }
 

@@ -137,7 +137,8 @@ def show(model: SphereModel, path: Any, browse: bool) -> Path:
         folder = Path(tempfile.mkdtemp(prefix="foam-"))
         from ._runs import _program
 
-        model._recipes.run(0, str(folder / "run"), False, None, _program(), None, None)
+        robot = None if model._robot is None else model._robot._core
+        model._recipes.run(0, str(folder / "run"), False, None, _program(), None, None, robot)
         page = folder / "run" / "report.html"
     else:
         page = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="foam-")) / "model.html"

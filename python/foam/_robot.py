@@ -15,7 +15,10 @@ from . import _core
 from ._cover import _count, _limit, _seed
 from ._mesh import Mesh
 from ._plugins import registry
-from .errors import InputError
+from .errors import InputError, UsageError
+
+#: Keys of recipes about what foam.load() reads.
+_OF_LOAD = {"mesh", "robot", "robot.urdf", "unit", "scale", "package_path", "loaders"}
 
 
 @dataclass(frozen=True)
@@ -67,7 +70,10 @@ def warn_of(notes: Iterable[str], where: str) -> None:
 
 
 class Robot:
-    """A robot, or a mesh as a robot with one link. Make it by foam.load(). It can be pickled: it is read again."""
+    """A robot, or a mesh as a robot with one link. Make it by foam.load(), which reads its files.
+
+    Files that change or vanish later change nothing. It can be pickled: the files are then read again.
+    """
 
     def __init__(
         self, file: str | os.PathLike[str], unit: str | None, scale: float, geometry: str, links: tuple[str, ...],
@@ -110,11 +116,6 @@ class Robot:
     def joints(self) -> list[Joint]:
         """All joints, in the order of the URDF."""
         return [Joint(*joint) for joint in self._core.joints()]
-
-    @property
-    def urdf(self) -> str:
-        """The text of the URDF; empty for a mesh."""
-        return self._core.source()
 
     def collision_mesh(self, link: str) -> Mesh:
         """Return the geometry of a link to cover: metres, in the link's frame. Round primitives are polyhedra around
@@ -204,17 +205,17 @@ class Robot:
         """Return the model that the recipe for these arguments makes; `kinds`: None for spheres alone."""
         from . import _runs
 
+        for key in set or {}:
+            if key in _OF_LOAD or key.startswith("loaders."):
+                raise UsageError(f"set: '{key}' is of the input, which foam.load() has read; remedy: foam.load(…)")
         _, unit, scale, geometry, globs, _ = self._arguments
-        mesh = not self.urdf
         name, text, left_out, stage = _core.quick_recipe(
-            self._arguments[0], method, kinds, "json" if mesh else "urdf", None if count is None else _count(count),
-            excess, max_protrusion, None if cost is None else float(cost), costs,
-            objective or "" if kinds is not None else "", unit, scale, geometry, registry(),
+            self._arguments[0], method, kinds, None if count is None else _count(count), excess, max_protrusion,
+            None if cost is None else float(cost), costs, objective or "" if kinds is not None else "", unit, scale,
+            geometry, registry(),
         )  # fmt: skip
         warn_of([f"no plugin offers {missing}; it is skipped" for missing in left_out], str(self.file))
         settings: dict[str, Any] = {}
-        if self._packages.folders:
-            settings["package_path"] = self._packages.folders
         if seed is not None:
             settings["seed"] = _seed(seed)
         if effort is not None:
@@ -229,7 +230,7 @@ class Robot:
             settings["links"] = own
         settings.update(set or {})
         recipes = _core.Recipes(registry(), None, text, f"{name}.yaml", _runs.settings_of(settings), [])
-        (run,) = _runs.run_all(recipes, None, fresh, _limit(time_limit), progress, None)
+        (run,) = _runs.run_all(recipes, None, fresh, _limit(time_limit), progress, None, self)
         run.model._robot = self
         return run.model
 
@@ -249,7 +250,7 @@ def load(
     """Return the robot of a URDF, or a mesh file as a robot with one link.
 
     Args:
-        path: the file.
+        path: the file. It and its meshes are read once, here.
         packages: folders of ROS packages by name ({"my_robot": "…"}), or folders that contain packages. Others are
             searched as FOAM_PACKAGE_PATH and ROS_PACKAGE_PATH say, and around the URDF.
         unit, scale: of a mesh whose format states no unit ("mm", "in"…).

@@ -16,7 +16,7 @@ from ._cover import _limit
 from ._model import SphereModel
 from ._plugins import registry
 from ._results import Figures
-from ._robot import warn_of
+from ._robot import Robot, warn_of
 from .errors import InputError, UsageError
 
 
@@ -123,15 +123,17 @@ def run_all(
     time_limit: float | None,
     progress: Callable[[Any], object] | None,
     cache: Path | None,
+    robot: Robot | None = None,
 ) -> list[Run]:
-    """Run checked recipes one after the other."""
+    """Run checked recipes one after the other; on a robot that was read, or on what they name."""
     told = None if progress is None else lambda *event: progress(Event(*event))
     names, runs = recipes.names(), []
     for index, name in enumerate(names):
         folder = out if out is None or len(names) == 1 else out / name
         text, links, held = recipes.run(
-            index, None if folder is None else str(folder), fresh, time_limit, _program(), None if cache is None else str(cache), told
-        )
+            index, None if folder is None else str(folder), fresh, time_limit, _program(), None if cache is None else str(cache), told,
+            None if robot is None else robot._core,
+        )  # fmt: skip
         summary = json.loads(text)
         warn_of(
             [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")], summary["input"]["file"]

@@ -58,7 +58,7 @@ py::tuple paired(const HeldRobot& robot, const SphereFile* spheres, std::size_t 
             const Original& original = robot.original;
             const CollisionModel model =
                 spheres ? collision_model_of(original, match(original, *spheres))
-                        : load_collision_model(original.file, *robot.registry, per_link, robot.package_path);
+                        : collision_model_of(original.loaded, *robot.registry, per_link);
             const Kinematics kinematics(model.robot);
             const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model,
                                                                      {.samples = samples,

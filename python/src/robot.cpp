@@ -30,10 +30,12 @@ std::shared_ptr<HeldRobot> loaded_robot(const std::filesystem::path& file, std::
     return worked([&](const Signals&) {
         auto held = std::make_shared<HeldRobot>();
         held->registry = std::move(registry);
-        held->unit = {.unit = unit, .scale = scale};
-        held->package_path = package_path;
-        held->original = load_original(file, *held->registry, links, held->unit,
-                                       static_cast<CoveredGeometry>(word - words.begin()), package_path);
+        held->original = load_original(file, *held->registry,
+                                       {.links = links,
+                                        .unit = {.unit = unit, .scale = scale},
+                                        .geometry = static_cast<CoveredGeometry>(word - words.begin()),
+                                        .package_path = package_path,
+                                        .keep_meshes = true});
         return held;
     });
 }
@@ -115,7 +117,6 @@ void add_robot(py::module_& module) {
              py::arg("geometry"), py::arg("links"), py::arg("package_path"))
         .def("name", [](const HeldRobot& held) { return held.original.robot->name; })
         .def("root", [](const HeldRobot& held) { return held.original.robot->root; })
-        .def("source", [](const HeldRobot& held) { return held.original.robot->source; })
         .def("notes", [](const HeldRobot& held) { return held.original.notes; })
         .def("links", &names_of, py::arg("with_geometry"))
         .def("joints", &joints_of)

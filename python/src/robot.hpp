@@ -16,12 +16,10 @@
 
 namespace foam::python {
 
-/// A robot or a mesh that was read, with the stages that read it.
+/// A robot or a mesh that was read, with its meshes and the stages that read it.
 struct HeldRobot {
     std::shared_ptr<Registry> registry;
     Original original;
-    MeshUnit unit;
-    std::vector<std::filesystem::path> package_path;
 };
 
 /// A model as a writer takes it: that of a run, or of spheres from elsewhere.

@@ -71,9 +71,10 @@ void tell(Events& events, const py::object& progress) {
     }
 }
 
+/// `robot`: what the run works on in place of the recipe's input; null: that.
 py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<std::filesystem::path>& out, bool fresh,
               std::optional<double> time_limit, const std::filesystem::path& program,
-              const std::optional<std::filesystem::path>& cache, const py::object& progress) {
+              const std::optional<std::filesystem::path>& cache, const py::object& progress, const HeldRobot* robot) {
     const Recipe& recipe = held.recipes.at(index);
     Events events;
     RunOptions options;
@@ -83,6 +84,7 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
     options.program = program;
     options.cache = cache.value_or("");
     options.observer = &events;
+    options.input = robot ? robot->original.loaded : nullptr;
     RunResult result;
     work_aside(
         [&](const std::atomic<bool>& cancel) {
@@ -105,15 +107,14 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
 
 /// `kinds`: nothing for spheres alone, as `foam spherize`; else as `foam approximate`.
 py::tuple quick(const std::filesystem::path& input, const std::string& method,
-                const std::optional<std::vector<std::string>>& kinds, const std::string& ending,
-                std::optional<std::size_t> count, std::optional<double> excess, std::optional<double> max_protrusion,
+                const std::optional<std::vector<std::string>>& kinds, std::optional<std::size_t> count, std::optional<double> excess, std::optional<double> max_protrusion,
                 std::optional<double> cost, const std::map<std::string, double>& costs, const std::string& objective,
                 const std::optional<std::string>& unit, double scale, const std::string& geometry,
                 const Registry& registry) {
     const QuickMethod by = kinds ? QuickMethod(method, kinds_named(*kinds, "kinds"), objective) : QuickMethod(method);
     const QuickBudget budget{count, excess, max_protrusion, cost, costs};
     const QuickRecipe made =
-        quick_recipe(input, by, ending, budget, {.unit = unit, .scale = scale}, geometry, registry);
+        quick_recipe(input, by, is_mesh(input, registry) ? "json" : "urdf", budget, {.unit = unit, .scale = scale}, geometry, registry);
     return py::make_tuple(made.name, made.text, made.left_out, made.stage);
 }
 
@@ -135,7 +136,7 @@ void add_runs(py::module_& module) {
                  return names;
              })
         .def("run", &ran, py::arg("index"), py::arg("out"), py::arg("fresh"), py::arg("time_limit"), py::arg("program"),
-             py::arg("cache"), py::arg("progress"));
+             py::arg("cache"), py::arg("progress"), py::arg("robot").none(true));
     module.def(
         "collect_batch",
         [](const std::filesystem::path& folder, const std::filesystem::path& table) {
@@ -150,8 +151,8 @@ void add_runs(py::module_& module) {
             return py::bytes(text);
         },
         py::arg("table"));
-    module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("kinds"), py::arg("ending"),
-               py::arg("count"), py::arg("excess"), py::arg("max_protrusion"), py::arg("cost"), py::arg("costs"),
+    module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("kinds"), py::arg("count"),
+               py::arg("excess"), py::arg("max_protrusion"), py::arg("cost"), py::arg("costs"),
                py::arg("objective"), py::arg("unit"), py::arg("scale"), py::arg("geometry"), py::arg("registry"));
 }
 

@@ -42,7 +42,7 @@ std::shared_ptr<HeldMesh> mesh_from(const std::filesystem::path& file, const Reg
                                     "reads robots",
                                     file.string(), file.extension().string()));
         }
-        const Original original = load_original(file, registry, {}, {.unit = unit, .scale = scale});
+        const Original original = load_original(file, registry, {.unit = {.unit = unit, .scale = scale}});
         return std::make_shared<HeldMesh>(original.links[0].solid);
     });
 }

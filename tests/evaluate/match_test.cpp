@@ -21,7 +21,7 @@ constexpr const char* arm_text = R"(<robot name="arm">
 class Match : public Files {
 protected:
     Original original(const std::vector<std::string>& links = {}) const {
-        return load_original(write("arm.urdf", arm_text), registry, links);
+        return load_original(write("arm.urdf", arm_text), registry, {.links = links});
     }
     std::string refusal_of(const std::string& spheres, const Renames& renames = {}) const {
         try {

@@ -115,8 +115,8 @@ std::unique_ptr<ModelReader> reader_for(std::string_view begin, const std::strin
 } // namespace
 
 SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry, const std::string& reader,
-                            Radii radii) {
-    return parse_sphere_file(read_file(file, most_model_bytes), file, registry, reader, radii);
+                            Radii radii, const std::filesystem::path& name) {
+    return parse_sphere_file(read_file(file, most_model_bytes), name.empty() ? file : name, registry, reader, radii);
 }
 
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry,

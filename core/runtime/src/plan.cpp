@@ -133,8 +133,9 @@ Plan plan(const Recipe& recipe, const Registry& registry, const RunOptions& opti
     }
     Planner planner(workspace, *input.robot);
     result.links = std::move(planner.links);
+    const Reading reading = reading_of(workspace);
     for (const InputFile& mesh : planner.files()) {
-        result.meshes.push_back({mesh.file, mesh.digest, mesh_loader_of(workspace, mesh.file)->info.name});
+        result.meshes.push_back({mesh.file, mesh.digest, mesh_loader_of(registry, reading, mesh.file)->info.name});
     }
     for (const OutputCall& output : recipe.outputs) {
         result.outputs.push_back({planned(output.writer, registry), output.file});

@@ -12,9 +12,11 @@
 
 namespace foam::inline runtime {
 
+Calls::Calls(const Registry& all, const RunOptions& o, Journal& j, std::uint64_t s, std::optional<double> time_limit)
+    : registry(all), options(o), journal(j), seed(s), limits(std::make_shared<Limits>(o, time_limit, j)) {}
+
 Workspace::Workspace(const Recipe& r, const Registry& all, const RunOptions& o, Journal& j, const Cache& c)
-    : recipe(r), registry(all), options(o), journal(j), cache(c),
-      limits(std::make_shared<Limits>(o, o.time_limit ? o.time_limit : r.budget_time_limit, j)) {}
+    : Calls(all, o, j, r.seed, o.time_limit ? o.time_limit : r.budget_time_limit), recipe(r), cache(c) {}
 
 Workspace Workspace::in(Phase other) const {
     Workspace result = *this;
@@ -29,7 +31,7 @@ Workspace Workspace::with(const Recipe& other) const {
     return result;
 }
 
-void Workspace::check_cancelled() const {
+void Calls::check_cancelled() const {
     if (ended()) {
         throw Error(ErrorCode::cancelled, "cancelled; nothing was written");
     }

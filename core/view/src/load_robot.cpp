@@ -6,8 +6,7 @@
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/judge/written_model.hpp>
-#include <foam/runtime/internal/input.hpp>
-#include <foam/runtime/internal/prepare.hpp>
+#include <foam/runtime/internal/reading.hpp>
 #include <foam/sdk/mesh_colours.hpp>
 
 #include <fmt/format.h>
@@ -34,7 +33,7 @@ Robot with_all_elements(Robot robot, bool collisions) {
 /// Colours of the triangles of mesh files, by path.
 using FileColours = std::map<std::filesystem::path, std::vector<Colour>>;
 
-FileColours file_colours(const Workspace& workspace, const Robot& robot) {
+FileColours file_colours(const Registry& registry, const Reading& reading, const Robot& robot) {
     std::set<std::filesystem::path> distinct;
     for (const Link& link : robot.links) {
         for (const GeometryElement& element : link.visuals) {
@@ -46,11 +45,11 @@ FileColours file_colours(const Workspace& workspace, const Robot& robot) {
     const std::vector<std::filesystem::path> files(distinct.begin(), distinct.end());
     std::vector<std::vector<Colour>> colours(files.size());
     parallel_for(files.size(), [&](std::size_t i) {
-        const RegisteredStage* stage = mesh_loader_of(workspace, files[i]);
+        const RegisteredStage* stage = mesh_loader_of(registry, reading, files[i]);
         if (!stage) {
             return;
         }
-        const auto loader = workspace.registry.make<MeshLoader>(stage->info.name);
+        const auto loader = registry.make<MeshLoader>(stage->info.name);
         const auto* coloured = dynamic_cast<const MeshColours*>(loader.get());
         try {
             QuietContext context;
@@ -91,14 +90,9 @@ private:
     std::map<std::pair<const Mesh*, const std::vector<Colour>*>, std::shared_ptr<const ViewedMesh>> meshes_;
 };
 
-Recipe recipe_for(const std::filesystem::path& file, const SubjectOptions& options, const Registry& registry) {
-    Recipe recipe;
-    const bool mesh = is_mesh_file(file, registry);
-    (mesh ? recipe.mesh : recipe.urdf).assign(1, std::filesystem::absolute(file).string());
-    if (mesh) {
-        recipe.mesh_unit = options.unit;
-    }
-    return recipe;
+Reading reading_for(const std::filesystem::path& file, const SubjectOptions& options, bool mesh) {
+    return {.unit = mesh ? options.unit : MeshUnit{},
+            .name = file == options.nameless ? options.nameless_name : std::filesystem::path()};
 }
 
 /// Returns the colour of a visual's material; nothing where there is none, or only a texture.
@@ -157,16 +151,18 @@ bool is_mesh_file(const std::filesystem::path& file, const Registry& registry) {
 
 ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& options, const Registry& registry,
                        std::vector<std::string>& notes) {
-    const Recipe recipe = recipe_for(file, options, registry);
+    const bool mesh = is_mesh_file(file, registry);
+    const Reading reading = reading_for(file, options, mesh);
     const RunOptions run_options;
     Journal journal(nullptr);
-    const Cache cache({});
-    const Workspace workspace{recipe, registry, run_options, journal, cache};
-    const Input input = load_input(workspace);
+    const Calls calls{registry, run_options, journal};
+    auto input = std::make_shared<LoadedInput>(read_input(calls, reading, std::filesystem::absolute(file),
+                                                          mesh ? InputKind::mesh : InputKind::robot, file.string()));
 
     ViewedRobot result;
     result.file = file;
-    const auto robot = std::make_shared<const Robot>(without_missing_visuals(*input.robot));
+    result.loaded = input;
+    const auto robot = std::make_shared<const Robot>(without_missing_visuals(*input->robot));
     result.robot = robot;
     result.kinematics = std::make_shared<const Kinematics>(robot);
     result.poses = named_poses(*result.kinematics, options.srdf);
@@ -175,11 +171,11 @@ ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& 
     judge_links(result, options.geometry);
 
     const Robot all = with_all_elements(*robot, !spheres);
-    std::vector<InputFile> files;
-    const std::vector<LinkWork> work = load_links(workspace, all, files);
-    const FileColours colours = file_colours(workspace, *robot);
+    LoadedLinks loaded = load_links(calls, reading, all, [](const Link&) { return true; }, {});
+    input->meshes = std::move(loaded.meshes);
+    const FileColours colours = file_colours(registry, reading, *robot);
     SharedMeshes shared;
-    for (const LinkWork& link : work) {
+    for (const LoadedLink& link : loaded.links) {
         const auto l = static_cast<std::size_t>(link.link - all.links.data());
         const std::size_t collisions = spheres ? 0 : robot->links[l].collisions.size();
         if (link.error) {

@@ -115,6 +115,7 @@ std::vector<std::vector<Sphere>> spheres_of(const ViewedRobot& robot, const Subj
     RunOptions run_options;
     run_options.cancel = cancel;
     run_options.report = false;
+    run_options.input = robot.loaded;
     const RunResult result = run(recipe, registry, run_options);
     std::vector<std::vector<Sphere>> spheres(robot.robot->links.size());
     for (const SphereGroup& group : result.model.groups) {

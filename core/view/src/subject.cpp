@@ -94,7 +94,7 @@ private:
             add_robot(file);
             return;
         }
-        SphereFile spheres = read_sphere_file(file, registry_, options_.reader);
+        SphereFile spheres = read(file);
         if (first) {
             rename_links(spheres, options_.renames);
             name_only_link(spheres, nullptr);
@@ -111,7 +111,7 @@ private:
         ViewedRobot robot = load_robot(file, options_, registry_, subject_.notes);
         if (has_spheres(*robot.robot) && !subject_.robots.empty() &&
             shares_a_link(subject_.robots.back(), *robot.robot)) {
-            add_model(file, read_sphere_file(file, registry_, options_.reader), options_.renames);
+            add_model(file, read(file), options_.renames);
             return;
         }
         const bool model = is_sphere_model(*robot.robot);
@@ -122,8 +122,13 @@ private:
         }
         subject_.robots.push_back(std::move(robot));
         if (model) {
-            add_model(file, read_sphere_file(file, registry_, options_.reader), {});
+            add_model(file, read(file), {});
         }
+    }
+
+    SphereFile read(const std::filesystem::path& file) const {
+        return read_sphere_file(file, registry_, options_.reader, Radii::as_used,
+                                file == options_.nameless ? options_.nameless_name : std::filesystem::path());
     }
 
     static bool has_spheres(const Robot& robot) {
@@ -204,8 +209,7 @@ std::vector<std::filesystem::path> inputs_of(const Subject& subject, const Subje
 }
 
 Original original_of(const ViewedRobot& robot, const SubjectOptions& options, const Registry& registry) {
-    return load_original(robot.file, registry, {}, is_mesh_file(robot.file, registry) ? options.unit : MeshUnit{},
-                         options.geometry);
+    return original_of(robot.loaded, registry, {.geometry = options.geometry});
 }
 
 } // namespace foam::inline view

@@ -188,7 +188,7 @@ private:
     }
 
     void judge_files() {
-        const Original original = load_original(folder_ / case_.input, registry_, globs_of_the_rest());
+        const Original original = load_original(folder_ / case_.input, registry_, {.links = globs_of_the_rest()});
         for (const std::string& odd : excess_findings(original, *result_, *recipe_)) {
             find(odd);
         }

@@ -1,10 +1,9 @@
 // From a file to the solids of its links.
+#include "evaluate/original.hpp"
+
 #include <foam/base/file.hpp>
-#include <foam/judge/evaluate.hpp>
 #include <foam/recipe/internal/glob.hpp>
-#include <foam/runtime/internal/input.hpp>
 #include <foam/runtime/internal/links.hpp>
-#include <foam/runtime/internal/prepare.hpp>
 
 #include <fmt/format.h>
 
@@ -13,76 +12,98 @@
 namespace foam::inline judge {
 namespace {
 
-/// Leaves out the links that no glob matches.
-void choose(Recipe& recipe, const Robot& robot, const std::vector<std::string>& globs) {
+bool is_chosen(const Link& link, const std::vector<std::string>& globs) {
+    return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+               return glob == link.name || glob_matches(glob, link.name);
+           });
+}
+
+/// Throws Error(usage) for a glob that matches no link.
+void require_matches(const std::vector<std::string>& globs, const Robot& robot) {
     for (const std::string& glob : globs) {
         if (std::none_of(robot.links.begin(), robot.links.end(),
-                         [&](const Link& link) { return glob == link.name || glob_matches(glob, link.name); })) {
+                         [&](const Link& link) { return is_chosen(link, {glob}); })) {
             throw Error(ErrorCode::usage, fmt::format("'{}' names no link of {}", glob, robot.file.string()));
-        }
-    }
-    for (const Link& link : robot.links) {
-        const bool chosen = globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-                                return glob == link.name || glob_matches(glob, link.name);
-                            });
-        if (!chosen) {
-            LinkOverride& left_out = recipe.links.emplace_back();
-            left_out.glob = glob_of_name(link.name);
-            left_out.skip = true;
         }
     }
 }
 
-} // namespace
-
-Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links, const MeshUnit& unit, CoveredGeometry geometry,
-                       const std::vector<std::filesystem::path>& package_path) {
-    Recipe recipe;
-    for (const std::filesystem::path& folder : package_path) {
-        recipe.package_path.push_back(std::filesystem::absolute(folder).string());
-    }
-    recipe.mesh_unit = unit;
-    recipe.cover = geometry;
-    const std::string reference = std::filesystem::absolute(file).string();
-    (registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) ? recipe.mesh : recipe.urdf) = {reference};
-    const RunOptions options;
-    Journal journal(nullptr);
-    const Cache cache({});
-    const Workspace workspace{recipe, registry, options, journal, cache};
-    const Input input = load_input(workspace);
-    choose(recipe, *input.robot, links);
-
-    Original result;
-    result.file = file;
-    result.robot = input.robot;
-    result.geometry = geometry;
-    result.collision_only = input.collision_only;
-    std::vector<InputFile> files;
-    const std::vector<LinkWork> work = load_links(workspace, *input.robot, files);
-    std::vector<const LinkWork*> chosen;
-    for (const LinkWork& link : work) {
-        if (!link.recipe.skip) {
-            chosen.push_back(&link);
+/// Returns the solids of the links that were loaded. Throws the error of a link that could not be.
+std::vector<OriginalLink> solids_of(const std::vector<LoadedLink>& links) {
+    std::vector<const LoadedLink*> loaded;
+    for (const LoadedLink& link : links) {
+        if (!link.elements.empty()) {
+            loaded.push_back(&link);
         }
     }
-    result.links.resize(chosen.size());
-    parallel_for(chosen.size(), [&](std::size_t i) {
-        if (chosen[i]->error) {
-            throw Error(*chosen[i]->error);
+    std::vector<OriginalLink> solids(loaded.size());
+    parallel_for(loaded.size(), [&](std::size_t i) {
+        if (loaded[i]->error) {
+            throw Error(*loaded[i]->error);
         }
-        result.links[i] = {chosen[i]->link->name, solid_of(*chosen[i])};
+        solids[i] = {loaded[i]->link->name, solid_of(*loaded[i])};
     });
-    if (result.links.empty()) {
-        throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",
-                                                  file.string(), to_string(geometry)));
-    }
+    return solids;
+}
+
+std::vector<std::string> warnings_of(const Journal& journal) {
+    std::vector<std::string> warnings;
     for (const Finding& finding : journal.findings()) {
         if (finding.severity >= Severity::warning) {
-            result.notes.push_back(finding.message);
+            warnings.push_back(finding.message);
         }
     }
+    return warnings;
+}
+
+} // namespace
+
+std::shared_ptr<const LoadedInput> read_original(const std::filesystem::path& file, const Registry& registry,
+                                                 const OriginalOptions& options) {
+    const bool mesh = registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) != nullptr;
+    std::vector<std::filesystem::path> folders;
+    for (const std::filesystem::path& folder : options.package_path) {
+        folders.push_back(std::filesystem::absolute(folder));
+    }
+    Reading reading{.unit = options.unit, .name = options.name};
+    reading.resources = reading.resources.preceded_by(std::move(folders));
+    const RunOptions run;
+    Journal journal(nullptr);
+    return std::make_shared<const LoadedInput>(read_input({registry, run, journal}, reading,
+                                                          std::filesystem::absolute(file),
+                                                          mesh ? InputKind::mesh : InputKind::robot, file.string()));
+}
+
+Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& registry,
+                     const OriginalOptions& options) {
+    require_matches(options.links, *loaded->robot);
+    Original result;
+    result.file = loaded->chosen;
+    result.geometry = options.geometry;
+    result.collision_only = uncovered_links(*loaded->robot, options.geometry);
+    result.robot = std::make_shared<const Robot>(with_covered_geometry(*loaded->robot, options.geometry));
+    const RunOptions run;
+    Journal journal(nullptr);
+    journal.repeat(loaded->said, "", loaded->report.stage);
+    LoadedLinks links = load_links({registry, run, journal}, {}, *result.robot,
+                                   [&](const Link& link) { return is_chosen(link, options.links); }, loaded->meshes);
+    result.links = solids_of(links.links);
+    if (result.links.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",
+                                                  loaded->chosen, to_string(options.geometry)));
+    }
+    result.notes = warnings_of(journal);
+    result.loaded = std::move(loaded);
+    if (options.keep_meshes) {
+        auto whole = std::make_shared<LoadedInput>(*result.loaded);
+        whole->meshes = std::move(links.meshes);
+        result.loaded = std::move(whole);
+    }
     return result;
+}
+
+Original load_original(const std::filesystem::path& file, const Registry& registry, const OriginalOptions& options) {
+    return original_of(read_original(file, registry, options), registry, options);
 }
 
 } // namespace foam::judge

@@ -1,7 +1,7 @@
 // The spheres of each link, from the files that contain them.
+#include "evaluate/original.hpp"
+
 #include <foam/base/error.hpp>
-#include <foam/base/file.hpp>
-#include <foam/base/internal/files.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/judge/collision_model.hpp>
@@ -14,44 +14,6 @@
 
 namespace foam::inline judge {
 namespace {
-
-/// Keeps the warnings.
-class Listener final : public Context {
-public:
-    std::uint64_t seed() const override { return 0; }
-    bool cancelled() const override { return false; }
-    void progress(double) override {}
-    void log(Severity severity, std::string_view message) override {
-        if (severity >= Severity::warning) {
-            warnings.emplace_back(message);
-        }
-    }
-    void metric(std::string_view, double, std::string_view) override {}
-
-    std::vector<std::string> warnings;
-};
-
-CollisionModel load_robot(const std::filesystem::path& urdf, const Registry& registry,
-                          const std::vector<std::filesystem::path>& package_path = {}) {
-    if (registry.find_for_extension(StageKind::mesh_loader, extension_of(urdf))) {
-        throw Error(ErrorCode::input, fmt::format("{}: a mesh has no joints; remedy: give a URDF", urdf.string()));
-    }
-    const RegisteredStage* stage = registry.find_for_extension(StageKind::robot_loader, "urdf");
-    if (!stage) {
-        throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
-                                       "loaded, and why others were not");
-    }
-    Listener listener;
-    CollisionModel model;
-    model.robot = std::make_shared<const Robot>(
-        registry.make<RobotLoader>(stage->info.name)
-            ->load(read_file(urdf, most_robot_bytes), urdf,
-                   ResourceResolver::from_environment().preceded_by(package_path), listener));
-    model.notes = std::move(listener.warnings);
-    model.elements.resize(model.robot->links.size());
-    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
-    return model;
-}
 
 /// Takes the spheres of a link without other geometry. Returns false if it has other geometry.
 bool take_spheres(const Link& link, Elements& elements) {
@@ -91,10 +53,19 @@ void require_pairs(const CollisionModel& model) {
 
 } // namespace
 
-CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
-                                    std::size_t spheres_per_link,
-                                    const std::vector<std::filesystem::path>& package_path) {
-    CollisionModel model = load_robot(urdf, registry, package_path);
+void refuse_mesh(const LoadedInput& loaded) {
+    if (loaded.report.stage.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: a mesh has no joints; remedy: give a URDF", loaded.chosen));
+    }
+}
+
+CollisionModel collision_model_of(const std::shared_ptr<const LoadedInput>& loaded, const Registry& registry,
+                                  std::size_t spheres_per_link) {
+    refuse_mesh(*loaded);
+    CollisionModel model;
+    model.robot = loaded->robot;
+    model.elements.resize(model.robot->links.size());
+    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
     bool any = false;
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
         const Link& link = model.robot->links[i];
@@ -104,7 +75,7 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
         }
     }
     if (any) {
-        const Original original = load_original(urdf, registry, {}, {}, CoveredGeometry::collision, package_path);
+        const Original original = original_of(loaded, registry);
         model.notes = original.notes;
         take_solids(original, model);
         const auto spherizer = registry.make<Spherizer>("spherize.cover", {{"effort", "fast"}});
@@ -121,6 +92,11 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
     }
     require_pairs(model);
     return model;
+}
+
+CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
+                                    std::size_t spheres_per_link, const OriginalOptions& options) {
+    return collision_model_of(read_original(urdf, registry, options), registry, spheres_per_link);
 }
 
 CollisionModel collision_model_of(const Original& original, const MatchedModel& matched) {
@@ -142,13 +118,6 @@ CollisionModel collision_model_of(const Original& original, const MatchedModel& 
     take_solids(original, model);
     require_pairs(model);
     return model;
-}
-
-CollisionModel load_collision_model(const std::filesystem::path& urdf, const std::filesystem::path& spheres,
-                                    const Registry& registry, const Renames& renames, const std::string& reader) {
-    load_robot(urdf, registry); // refuses a mesh
-    const Original original = load_original(urdf, registry);
-    return collision_model_of(original, match(original, read_sphere_file(spheres, registry, reader), renames));
 }
 
 } // namespace foam::judge

@@ -19,7 +19,7 @@
 
 namespace foam::inline runtime {
 
-static std::vector<Solid::Part> parts_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
+static std::vector<Solid::Part> parts_of(const LoadedLink& link, const std::vector<std::size_t>& elements) {
     std::vector<Solid::Part> parts;
     for (const std::size_t e : elements) {
         const CollisionElement& element = link.elements[e];
@@ -37,13 +37,13 @@ static std::vector<Solid::Part> parts_of(const LinkWork& link, const std::vector
     return parts;
 }
 
-std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements) {
+std::shared_ptr<const Solid> solid_of(const LoadedLink& link, const std::vector<std::size_t>& elements) {
     return Solid::make(parts_of(link, elements));
 }
 
 namespace {
 
-std::vector<std::size_t> all_elements(const LinkWork& link) {
+std::vector<std::size_t> all_elements(const LoadedLink& link) {
     std::vector<std::size_t> elements(link.elements.size());
     for (std::size_t e = 0; e < elements.size(); ++e) {
         elements[e] = e;
@@ -303,7 +303,7 @@ void measure_whole(const Workspace& workspace, const FinishedLink& link, LinkWor
 
 } // namespace
 
-std::shared_ptr<const Solid> solid_of(const LinkWork& link) {
+std::shared_ptr<const Solid> solid_of(const LoadedLink& link) {
     return solid_of(link, all_elements(link));
 }
 
@@ -314,7 +314,7 @@ Sphere enclosing_ball(const Solid& solid) {
     return ball;
 }
 
-std::shared_ptr<const Solid> quick_solid_of(const LinkWork& link) {
+std::shared_ptr<const Solid> quick_solid_of(const LoadedLink& link) {
     return geometry::quick_solid(parts_of(link, all_elements(link)));
 }
 

@@ -45,7 +45,7 @@ struct Complaint {
     std::string why;                  ///< empty: no problem
 };
 
-Complaint complaint_of(const LinkWork& link) {
+Complaint complaint_of(const LoadedLink& link) {
     Box whole;
     for (const CollisionElement& element : link.elements) {
         if (!element.raw && !element.primitive()) {
@@ -78,14 +78,14 @@ Box bounds_of(const CollisionElement& element) {
     return element.raw ? geometry::bounds_of_corners(*element.raw) : box_of(*element.primitive());
 }
 
-void require_workable(const Robot& robot, const LinkWork& link) {
+void require_workable(const Robot& robot, const LoadedLink& link) {
     if (const Complaint complaint = complaint_of(link); !complaint.why.empty()) {
         const std::string where = complaint.element ? name_of(robot, *complaint.element) + ": " : "";
         throw Error(ErrorCode::input, fmt::format("link '{}': {}{}", shown(link.link->name), where, complaint.why));
     }
 }
 
-bool is_workable(const LinkWork& link) {
+bool is_workable(const LoadedLink& link) {
     return complaint_of(link).why.empty();
 }
 

@@ -14,9 +14,9 @@ Box bounds_of(const CollisionElement& element);
 
 /// Throws Error(input) with link, geometry, number and remedy if a loaded link's geometry is larger, smaller or farther
 /// from the origin than foam can work on.
-void require_workable(const Robot& robot, const LinkWork& link);
+void require_workable(const Robot& robot, const LoadedLink& link);
 /// Returns whether require_workable() passes, for a link that was loaded completely.
-bool is_workable(const LinkWork& link);
+bool is_workable(const LoadedLink& link);
 
 /// Returns the frame, or one closer to the given frame's scale if the stage's parameters in m would leave their bounds.
 geometry::OwnFrame frame_for_stage(geometry::OwnFrame frame, const StageCall& call, const Registry& registry);

@@ -1,152 +1,15 @@
 #include <foam/runtime/internal/prepare.hpp>
 
-#include "input/own_frame.hpp"
+#include "input/tasks.hpp"
 #include "process/isolated.hpp"
 
 #include <foam/geometry/internal/compared_mesh.hpp>
 #include <foam/runtime/internal/input.hpp>
 
-#include <fmt/format.h>
-
 #include <map>
-#include <tuple>
 
 namespace foam::inline runtime {
 namespace {
-
-/// A mesh file at a scale.
-struct LoadTask {
-    MeshReference reference;
-    std::vector<Target> targets;
-    std::shared_ptr<const Mesh> mesh;
-    InputFile file;
-    StageReport report;
-    std::optional<Error> error;
-};
-
-/// Runs the tasks on all cores. Keeps errors with their tasks, but lets cancellation pass.
-template <class Task, class Body> void run_all(std::vector<Task>& tasks, Body&& body) {
-    parallel_for(tasks.size(), [&](std::size_t i) {
-        try {
-            body(tasks[i]);
-        } catch (const Error& error) {
-            if (error.code() == ErrorCode::cancelled) {
-                throw;
-            }
-            tasks[i].error.emplace(error);
-        }
-    });
-}
-
-/// Checks the contract of a stage: later stages rely on valid corner indices.
-void check_triangles(const Mesh& mesh, const char* kind) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (const std::uint32_t corner : mesh.triangles[t]) {
-            if (corner >= mesh.vertices.size()) {
-                throw Error(ErrorCode::plugin,
-                            fmt::format("the {} broke its contract: triangle {} has corner {} of {} vertices", kind, t,
-                                        corner, mesh.vertices.size()));
-            }
-        }
-    }
-}
-
-/// Scales a mesh in place: it may be large.
-void scale(Mesh& mesh, const Vec3& by) {
-    for (Vec3& v : mesh.vertices) {
-        v = {v.x * by.x + 0.0, v.y * by.y + 0.0, v.z * by.z + 0.0}; // -0 becomes 0
-    }
-    if (by.x * by.y * by.z < 0) {
-        for (Triangle& t : mesh.triangles) {
-            std::swap(t[1], t[2]);
-        }
-    }
-}
-
-std::vector<LinkWork> links_to_do(const Workspace& workspace, const Robot& robot) {
-    std::vector<LinkWork> links;
-    for (const Link& link : robot.links) {
-        if (link.collisions.empty()) {
-            continue;
-        }
-        LinkWork work;
-        work.link = &link;
-        work.recipe = workspace.recipe.for_link(link.name);
-        work.report.link = link.name;
-        work.report.skipped = work.recipe.skip;
-        if (!work.recipe.skip) {
-            for (const GeometryElement& source : link.collisions) {
-                CollisionElement element;
-                element.source = &source;
-                const auto* mesh = std::get_if<MeshReference>(&source.geometry);
-                element.geometry = mesh ? mesh->uri : to_string(std::get<Primitive>(source.geometry).kind);
-                work.elements.push_back(std::move(element));
-            }
-        }
-        links.push_back(std::move(work));
-    }
-    return links;
-}
-
-std::vector<LoadTask> load_tasks(const std::vector<LinkWork>& links) {
-    std::map<std::tuple<std::string, double, double, double>, std::size_t> known;
-    std::vector<LoadTask> tasks;
-    for (std::size_t l = 0; l < links.size(); ++l) {
-        for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
-            const auto* reference = std::get_if<MeshReference>(&links[l].elements[e].source->geometry);
-            if (!reference) {
-                continue;
-            }
-            const Vec3& s = reference->scale;
-            const auto [it, fresh] = known.try_emplace(
-                {reference->path.empty() ? reference->uri : reference->path.string(), s.x, s.y, s.z}, tasks.size());
-            if (fresh) {
-                tasks.emplace_back().reference = *reference;
-            }
-            tasks[it->second].targets.push_back({l, e});
-        }
-    }
-    return tasks;
-}
-
-InputFile input_file(const Workspace& workspace, const MeshReference& reference) {
-    const DigestedFile digested = digest_of_mesh_file(workspace, reference.path);
-    return {reference.uri, reference.path, digested.digest, digested.bytes};
-}
-
-void load(const Workspace& workspace, const std::vector<LinkWork>& links, LoadTask& task) {
-    const std::filesystem::path& path = task.reference.path;
-    const std::string& link = links[task.targets.front().link].link->name;
-    if (path.empty()) { // the robot's loader requires the files of collision geometry only
-        throw Error(ErrorCode::input, fmt::format("link '{}': the mesh '{}' is not found; remedy: correct the path, or "
-                                                  "set FOAM_PACKAGE_PATH to the folder that holds the package",
-                                                  link, task.reference.uri));
-    }
-    const RegisteredStage* loader = mesh_loader_of(workspace, path);
-    if (!loader) {
-        const std::string extension = path.extension().string();
-        throw Error(ErrorCode::input,
-                    fmt::format("link '{}': {}: no loader reads files that end in '.{}'; remedy: convert it to "
-                                "STL, OBJ, PLY, DAE, OFF or GLB",
-                                link, path.string(), extension.empty() ? "" : extension.substr(1)));
-    }
-    task.file = input_file(workspace, task.reference);
-    task.report.input = task.reference.uri;
-    task.mesh = run_stage(workspace, loader->info.name, link, path.string(), task.file.digest, task.report,
-                          [&](Context& context) {
-                              Mesh mesh = call_loader(workspace, loader->info.name, path, context);
-                              check_triangles(mesh, "loader");
-                              scale(mesh, task.reference.scale);
-                              return std::make_shared<const Mesh>(std::move(mesh));
-                          });
-    for (const Vec3& vertex : task.mesh->vertices) {
-        if (!is_finite(vertex)) {
-            throw Error(ErrorCode::input,
-                        fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
-        }
-    }
-    task.report.output = digest_of_content(*task.mesh);
-}
 
 void filter(const Workspace& workspace, const std::vector<LinkWork>& links, FilterTask& task) {
     const auto [l, e] = task.targets.front();
@@ -239,33 +102,18 @@ Digest filter_key(const Workspace& workspace, const StageCall& filter, const Mes
 }
 
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files) {
-    std::vector<LinkWork> links = links_to_do(workspace, robot);
-
-    std::vector<LoadTask> loads = load_tasks(links);
-    workspace.journal.expect(loads.size());
-    run_all(loads, [&](LoadTask& task) { load(workspace, links, task); });
-    for (const LoadTask& task : loads) {
-        if (!task.file.digest.empty()) { // it could be read
-            files.push_back(task.file);
-        }
-        for (const auto [l, e] : task.targets) {
-            links[l].elements[e].raw = task.mesh;
-            links[l].elements[e].read = task.report.output;
-            links[l].report.stages.push_back(task.report);
-            if (task.error && !links[l].error) {
-                links[l].error.emplace(*task.error);
-            }
-        }
-    }
-    for (LinkWork& link : links) {
-        if (link.error) {
-            continue;
-        }
-        try {
-            require_workable(robot, link);
-        } catch (const Error& error) {
-            link.error.emplace(error);
-        }
+    const auto wanted = [&](const Link& link) { return !workspace.recipe.for_link(link.name).skip; };
+    const auto& given = workspace.options.input;
+    LoadedLinks loaded =
+        load_links(workspace, reading_of(workspace), robot, wanted, given ? given->meshes : std::vector<LoadedMesh>{});
+    files.insert(files.end(), loaded.files.begin(), loaded.files.end());
+    std::vector<LinkWork> links;
+    for (LoadedLink& link : loaded.links) {
+        LinkWork& work = links.emplace_back(LinkWork{std::move(link), {}, {}});
+        work.recipe = workspace.recipe.for_link(work.link->name);
+        work.report.link = work.link->name;
+        work.report.skipped = work.recipe.skip;
+        work.report.stages = work.loaders;
     }
     return links;
 }
@@ -294,10 +142,12 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
 }
 
 std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot) {
+    const Reading reading = reading_of(workspace);
     std::vector<InputFile> files;
-    for (const LoadTask& task : load_tasks(links_to_do(workspace, robot))) {
+    for (const MeshReference& reference : mesh_references(
+             robot, [&](const Link& link) { return !workspace.recipe.for_link(link.name).skip; })) {
         try {
-            files.push_back(input_file(workspace, task.reference));
+            files.push_back(mesh_file_of(workspace.registry, reading, reference));
         } catch (const Error&) {
             continue; // not an input of a run either
         }

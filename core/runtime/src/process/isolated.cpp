@@ -23,8 +23,8 @@ bool is_isolated(const Isolation& isolation) {
 }
 
 /// Returns the isolation that the recipe sets, by default the one that the stage requests.
-Isolation isolation_of(const Workspace& workspace, const StageCall& call) {
-    const RegisteredStage* stage = workspace.registry.find(call.stage);
+Isolation isolation_of(const Calls& calls, const StageCall& call) {
+    const RegisteredStage* stage = calls.registry.find(call.stage);
     Isolation wish = stage ? stage->info.isolation : Isolation{};
     if (sanitized) {
         wish.memory_limit.reset(); // it cannot be enforced, and the user did not request it
@@ -111,15 +111,15 @@ Error bad_end(const ChildEnd& end, const Isolation& isolation, const StageReques
 }
 
 /// Returns the answer to a request. Throws what the stage has thrown, and Error for a child that gave no answer.
-std::string call_in_child(const Workspace& workspace, StageRequest request, const Isolation& isolation,
+std::string call_in_child(const Calls& calls, StageRequest request, const Isolation& isolation,
                           Context& context) {
-    const std::filesystem::path program = !workspace.options.program.empty() ? workspace.options.program
+    const std::filesystem::path program = !calls.options.program.empty() ? calls.options.program
                                           : serves_isolated_calls()          ? "/proc/self/exe"
                                                                              : "";
     if (program.empty()) {
         throw Error(ErrorCode::usage,
                     fmt::format("this program cannot run stages in child processes; remedy: {}, or run it with foam",
-                                workspace.registry.find(request.stage)->info.isolation.process.value_or(false)
+                                calls.registry.find(request.stage)->info.isolation.process.value_or(false)
                                     ? fmt::format("set isolate: none for {}", request.stage)
                                     : "delete 'isolate' from the recipe"));
     }
@@ -127,10 +127,10 @@ std::string call_in_child(const Workspace& workspace, StageRequest request, cons
         throw Error(ErrorCode::usage, "a foam built with a sanitizer cannot enforce a memory_limit; remedy: delete it");
     }
     request.parent = getpid();
-    request.plugin = plugin_file(workspace.registry, request.stage);
-    for (const std::string& used : workspace.registry.find(request.stage)->info.uses) {
-        if (workspace.registry.find(used)) {
-            request.used.push_back(plugin_file(workspace.registry, used));
+    request.plugin = plugin_file(calls.registry, request.stage);
+    for (const std::string& used : calls.registry.find(request.stage)->info.uses) {
+        if (calls.registry.find(used)) {
+            request.used.push_back(plugin_file(calls.registry, used));
         }
     }
     request.memory_limit = isolation.memory_limit.value_or(0);
@@ -230,19 +230,17 @@ std::vector<SphereTree> spherize_as_is(const Workspace& workspace, const StageCa
 
 } // namespace
 
-Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
-                 Context& context) {
-    const StageCall call = workspace.recipe.loader_call(stage);
-    const Isolation isolation = isolation_of(workspace, call);
+Mesh call_loader(const Calls& calls, const StageCall& call, const std::filesystem::path& file, Context& context) {
+    const Isolation isolation = isolation_of(calls, call);
     if (!is_isolated(isolation)) {
-        return workspace.registry.make<MeshLoader>(stage, call.given)->load(file, context);
+        return calls.registry.make<MeshLoader>(call.stage, call.given)->load(file, context);
     }
     StageRequest request;
     request.what = StageRequest::What::load;
-    request.stage = stage;
+    request.stage = call.stage;
     request.given = call.given;
     request.work = std::filesystem::absolute(file).string();
-    return mesh_from(call_in_child(workspace, std::move(request), isolation, context));
+    return mesh_from(call_in_child(calls, std::move(request), isolation, context));
 }
 
 Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context) {

@@ -16,8 +16,7 @@ namespace foam::inline runtime {
 
 /// These functions throw what the stage throws. For an isolated stage they also throw Error for a crash, a limit or an
 /// early end of its process.
-Mesh call_loader(const Workspace& workspace, const std::string& stage, const std::filesystem::path& file,
-                 Context& context);
+Mesh call_loader(const Calls& calls, const StageCall& call, const std::filesystem::path& file, Context& context);
 /// Calls a filter with the mesh in a normalised frame.
 Mesh call_filter(const Workspace& workspace, const StageCall& call, const Mesh& mesh, Context& context);
 /// A stage and its search for one shape.

@@ -8,6 +8,7 @@
 #include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -34,16 +35,30 @@ struct Original {
     std::vector<std::string> collision_only; ///< links that lose their collision geometry thereby
     std::vector<OriginalLink> links;         ///< those with such geometry, in the robot's order
     std::vector<std::string> notes;  ///< warnings of its loaders
+    /// What was read, for runs on the same robot: RunOptions::input. With the meshes, if they are to be kept.
+    std::shared_ptr<const LoadedInput> loaded{};
 };
 
-/// Reads a URDF, or a mesh if a mesh loader reads the file's ending. `links`: globs of the links to read; none: all.
-/// Throws Error(input) if the file or a mesh of it cannot be read, if no link remains to evaluate, or if a glob matches
-/// no link; Error(usage) for a unit of a file that states its own. `package_path`: folders with packages, searched
-/// before those of the environment.
+struct OriginalOptions {
+    std::vector<std::string> links{}; ///< globs of the links to read; none: all
+    MeshUnit unit{};                  ///< of a mesh whose file does not state it
+    CoveredGeometry geometry = CoveredGeometry::collision;
+    std::vector<std::filesystem::path> package_path{}; ///< folders with packages, before those of the environment
+    /// The name that the content of a URDF goes by: messages have it, and relative references lead from its folder. It
+    /// need not exist; empty: the file's own.
+    std::filesystem::path name{};
+    bool keep_meshes = false; ///< in Original::loaded: nothing is read again
+};
+
+/// Reads a URDF, or a mesh if a mesh loader reads the file's ending. Throws Error(input) if the file or a mesh of it
+/// cannot be read, if no link remains to evaluate, or if a glob matches no link; Error(usage) for a unit of a file that
+/// states its own.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
-                       const std::vector<std::string>& links = {}, const MeshUnit& unit = {},
-                       CoveredGeometry geometry = CoveredGeometry::collision,
-                       const std::vector<std::filesystem::path>& package_path = {});
+                       const OriginalOptions& options = {});
+/// Returns the original geometry of a robot that was read; meshes that were not kept are read. Of the options, links,
+/// geometry and keep_meshes count. Errors as load_original().
+Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& registry,
+                     const OriginalOptions& options = {});
 
 /// Old and new beginning of link names: a link called `first` is renamed to `second`; of the others, those that begin
 /// with `first` begin with `second` instead. "" is the link of a format without link names.

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +53,9 @@ struct Unresponsive {
     std::vector<std::string> at; ///< its current activities: "stage '…', link '…'"
 };
 
+/// A robot or a mesh that was read, with its meshes: Original::loaded.
+struct LoadedInput;
+
 struct RunOptions {
     std::filesystem::path out; ///< run directory; empty: nothing is written, the model is only returned
     bool fresh = false;        ///< neither read nor write the cache
@@ -78,6 +82,12 @@ struct RunOptions {
     /// Called with all files that the run reads once they are known: the recipe and those that it extends, the robot or
     /// mesh, its meshes and visuals, the files that outputs edit, plugins; an exception from it ends the run.
     std::function<void(const std::vector<std::filesystem::path>& files)> inputs_known;
+    /// What the run works on, in place of the input that the recipe names: none of its files is read again, whatever has
+    /// become of them. The recipe's unit, package_path and loaders do not count for it. Null: the recipe's input.
+    std::shared_ptr<const LoadedInput> input{};
+    /// The name that the content of the recipe's URDF goes by: relative references lead from its folder. It need not
+    /// exist; empty: the file's own.
+    std::filesystem::path input_name{};
 };
 
 /// A message of a stage about a link.

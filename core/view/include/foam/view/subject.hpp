@@ -51,6 +51,7 @@ struct ViewedRobot {
     std::vector<ViewedLink> links; ///< of each link of the robot
     std::vector<NamedPose> poses;  ///< the first is the one that is shown
     bool judged = false;           ///< one of its links is: the geometry is known, and is not spheres itself
+    std::shared_ptr<const LoadedInput> loaded{}; ///< what was read, with the meshes; null: no file
 };
 
 /// A sphere model of a robot.
@@ -75,6 +76,8 @@ struct SubjectOptions {
     CoveredGeometry geometry = CoveredGeometry::collision; ///< by which spheres are judged
     std::filesystem::path srdf{};                          ///< with named poses; empty: none
     std::filesystem::path nameless{}; ///< of `files`, the one that holds the standard input; empty: none
+    /// The name that its content goes by: relative references lead from its folder.
+    std::filesystem::path nameless_name{};
 };
 
 /// Reads the files. The first is a URDF, a mesh or a sphere model; a later one is a sphere model of the robot before

@@ -1,9 +1,7 @@
 // The input: from the recipe's candidates to a robot.
 #pragma once
 
-#include <foam/base/internal/files.hpp>
-#include <foam/robot/robot.hpp>
-#include <foam/runtime/internal/workspace.hpp>
+#include <foam/runtime/internal/reading.hpp>
 
 #include <memory>
 #include <string>
@@ -22,13 +20,10 @@ struct Input {
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
-/// Returns the loader for a mesh file by its extension; null if there is none.
-const RegisteredStage* mesh_loader_of(const Workspace& workspace, const std::filesystem::path& file);
-/// Returns the digest of a mesh file of at most as many bytes as its loader's parameter max_bytes allows. Throws
-/// Error(input).
-DigestedFile digest_of_mesh_file(const Workspace& workspace, const std::filesystem::path& file);
+/// Returns how the recipe's input is read. The recipe must outlive it.
+Reading reading_of(const Workspace& workspace);
 
-/// Loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
+/// Returns RunOptions::input, or loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
 Input load_input(const Workspace& workspace);
 /// Returns whether a candidate resolves.
 bool input_resolves(const Recipe& recipe);

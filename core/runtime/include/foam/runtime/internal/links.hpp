@@ -25,12 +25,12 @@ struct FinishedModel {
 };
 
 /// Returns the original geometry of some elements of a link, in the link's frame.
-std::shared_ptr<const Solid> solid_of(const LinkWork& link, const std::vector<std::size_t>& elements);
+std::shared_ptr<const Solid> solid_of(const LoadedLink& link, const std::vector<std::size_t>& elements);
 /// Returns the original geometry of all elements. Precondition: its meshes are loaded.
-std::shared_ptr<const Solid> solid_of(const LinkWork& link);
+std::shared_ptr<const Solid> solid_of(const LoadedLink& link);
 
 /// Returns the geometry of all elements as solid_of() does, as geometry::quick_solid(): proofs need no more.
-std::shared_ptr<const Solid> quick_solid_of(const LinkWork& link);
+std::shared_ptr<const Solid> quick_solid_of(const LoadedLink& link);
 
 /// Returns about the smallest enclosing sphere of a solid, large enough that rounding its centre leaves nothing out:
 /// growth, which would search for its least radius, leaves it as it is.

@@ -1,8 +1,7 @@
 // Loading and filtering: once for every distinct mesh, and once for every distinct chain of filters on it.
 #pragma once
 
-#include <foam/robot/robot.hpp>
-#include <foam/runtime/internal/workspace.hpp>
+#include <foam/runtime/internal/reading.hpp>
 
 #include <memory>
 #include <optional>
@@ -12,33 +11,10 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-/// A collision element and its meshes after each filter, in the element's own frame, scaled, in metres.
-struct CollisionElement {
-    const GeometryElement* source = nullptr;
-    std::string geometry;                              ///< mesh reference as written, or the kind of primitive
-    std::shared_ptr<const Mesh> raw;                   ///< null for a primitive
-    Digest read;                                       ///< of `raw` as it was loaded
-    std::vector<std::shared_ptr<const Mesh>> filtered; ///< after each filter; empty for a primitive
-    Digest digest;                                     ///< of raw geometry and filters, without the pose
-
-    const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
-    const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }
-};
-
-struct InputFile {
-    std::string reference; ///< as written in the robot
-    std::filesystem::path file;
-    Digest digest;
-    std::size_t bytes = 0;
-};
-
 /// A link that is to be spherized.
-struct LinkWork {
-    const Link* link = nullptr;
+struct LinkWork : LoadedLink {
     Recipe::LinkRecipe recipe;
-    std::vector<CollisionElement> elements;
     LinkReport report;
-    std::optional<Error> error;
     bool bounds_only = false; ///< the figures of the report are bounds: there was no time to measure
 };
 
@@ -58,7 +34,7 @@ struct FilterTask {
     std::optional<Error> error;
 };
 
-/// Returns the links with their meshes loaded. Errors as in prepare_links().
+/// Returns the links with their meshes loaded, but for those that the recipe skips. Errors as in prepare_links().
 std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot, std::vector<InputFile>& files);
 /// Returns the distinct chains of filters that loaded links need. Sets the digests of the elements.
 std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<LinkWork>& links);

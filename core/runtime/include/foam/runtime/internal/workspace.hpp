@@ -18,23 +18,18 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
 
-/// The shared state of one run.
-struct Workspace {
-    Workspace(const Recipe& recipe, const Registry& registry, const RunOptions& options, Journal& journal,
-              const Cache& cache);
+/// What calls of stages share: where they report to, and what ends them.
+struct Calls {
+    Calls(const Registry& registry, const RunOptions& options, Journal& journal, std::uint64_t seed = 0,
+          std::optional<double> time_limit = {});
 
-    const Recipe& recipe;
     const Registry& registry;
     const RunOptions& options;
     Journal& journal;
-    const Cache& cache;
+    std::uint64_t seed; ///< of the stages, each of which gets its own
     std::shared_ptr<Limits> limits;
     Phase phase = Phase::preparing;
 
-    /// Returns the same workspace in another phase of the run.
-    Workspace in(Phase other) const;
-    /// Returns the same workspace for another recipe, which must outlive it.
-    Workspace with(const Recipe& other) const;
     /// Returns what ends the work of this phase early, except a cancellation.
     Cut cut() const { return limits->cut(phase); }
     /// Returns the time limit in s since the start of the run; nothing: no limit.
@@ -45,6 +40,20 @@ struct Workspace {
     const StopRequest* request() const { return &limits->request(phase); }
     /// Throws Error(cancelled) if ended().
     void check_cancelled() const;
+};
+
+/// The shared state of one run.
+struct Workspace : Calls {
+    Workspace(const Recipe& recipe, const Registry& registry, const RunOptions& options, Journal& journal,
+              const Cache& cache);
+
+    const Recipe& recipe;
+    const Cache& cache;
+
+    /// Returns the same workspace in another phase of the run.
+    Workspace in(Phase other) const;
+    /// Returns the same workspace for another recipe, which must outlive it.
+    Workspace with(const Recipe& other) const;
 };
 
 /// Returns "stage 'spherize.medial', link 'hand', input 'hand.stl'", without what is empty.
@@ -72,21 +81,21 @@ Error described(std::exception_ptr thrown, const std::string& stage, const std::
 /// describes what it throws. `seed` should depend on the content, not on its place, so that equal geometry gives equal
 /// results.
 template <class Body>
-auto run_stage(const Workspace& workspace, const std::string& stage, const std::string& link, const std::string& input,
+auto run_stage(const Calls& calls, const std::string& stage, const std::string& link, const std::string& input,
                const Digest& content, StageReport& report, Body&& body) {
-    workspace.check_cancelled();
-    workspace.journal.started(link, stage);
-    StageContext context(workspace.journal, link, stage, derive_seed(workspace.recipe.seed, stage + content),
-                         [&workspace] { return workspace.ended(); });
-    const StopScope scope(workspace.request());
+    calls.check_cancelled();
+    calls.journal.started(link, stage);
+    StageContext context(calls.journal, link, stage, derive_seed(calls.seed, stage + content),
+                         [&calls] { return calls.ended(); });
+    const StopScope scope(calls.request());
     const ActivityScope activity(place_of(stage, link, input), CrashRemedy::isolate_stage);
-    const double begin = workspace.journal.seconds();
+    const double begin = calls.journal.seconds();
     const WorkingFolder folder;
     const auto close = [&] {
         report.stage = stage;
-        report.seconds += workspace.journal.seconds() - begin;
+        report.seconds += calls.journal.seconds() - begin;
         report.metrics = context.said().metrics;
-        workspace.journal.finished(link, report);
+        calls.journal.finished(link, report);
     };
     try {
         auto result = body(context);
@@ -95,7 +104,7 @@ auto run_stage(const Workspace& workspace, const std::string& stage, const std::
         return result;
     } catch (...) {
         close();
-        workspace.limits->interrupted_at(place_of(stage, link, input));
+        calls.limits->interrupted_at(place_of(stage, link, input));
         throw described(std::current_exception(), stage, link, input);
     }
 }
