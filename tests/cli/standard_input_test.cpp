@@ -8,6 +8,7 @@
 namespace foam::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -69,6 +70,44 @@ TEST_F(FromStandardInput, ARobotFindsItsMeshesFromTheCurrentFolder) {
     EXPECT_EQ(foam("certify robot.urdf piped.urdf").code, 0);
 }
 
+TEST_F(FromStandardInput, ARobotKeepsItsTextAndItsReferencesLeadOn) {
+    write("two.urdf", R"(<?xml version='1.0'?> <!-- mine -->
+<robot  name="two">
+  <link name="base"><visual><geometry><mesh   filename='meshes/box.obj'/></geometry>
+      <material name="m"><texture filename="skin.png"/></material></visual>
+    <collision><geometry><mesh filename="meshes/box.obj"/></geometry></collision></link>
+  <link name="tip"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+  <joint name="turn" type="revolute"><parent link="base"/><child link="tip"/><origin xyz="0 0 0.5"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+</robot>
+)");
+    write("skin.png", "");
+    fs::create_directory(path() / "out");
+    ASSERT_EQ(piped("two.urdf", "spherize - -n 6 -m grid -o out/piped.urdf").code, 0);
+    ASSERT_EQ(foam("spherize two.urdf -n 6 -m grid -o out/named.urdf").code, 0);
+    EXPECT_EQ(contents(path() / "out/piped.urdf"), contents(path() / "out/named.urdf"));
+    EXPECT_THAT(contents(path() / "out/piped.urdf"),
+                AllOf(HasSubstr("filename=\"../meshes/box.obj\"/>"), HasSubstr("../skin.png"), HasSubstr("<!-- mine -->")));
+    ASSERT_EQ(foam("spherize two.urdf -n 6 -m grid -o model.csv").code, 0);
+    ASSERT_EQ(piped("two.urdf", "convert model.csv - -o out/piped.urdf").code, 0);
+    ASSERT_EQ(foam("convert model.csv two.urdf -o out/named.urdf").code, 0);
+    EXPECT_EQ(contents(path() / "out/piped.urdf"), contents(path() / "out/named.urdf"));
+    EXPECT_EQ(piped("two.urdf", "self-collision - --samples 10").code, 0);
+    EXPECT_EQ(piped("two.urdf", "self-collision - --model model.csv --samples 10").code, 0);
+    EXPECT_EQ(piped("two.urdf", "view - model.csv --html page.html").code, 0);
+    EXPECT_EQ(piped("two.urdf", "evaluate - model.csv").code, 0);
+    const Outcome planner = piped("two.urdf", "convert model.csv - -o out/two.yml --format curobo --tool-frame tip");
+    EXPECT_THAT(planner.err, HasSubstr("warning: the URDF that the file refers to is not there"));
+    EXPECT_THAT(contents(path() / "out/two.yml"), HasSubstr("asset_root_path: " + path().string() + "\n"));
+}
+
+TEST_F(FromStandardInput, HullsOfAModelAreFoundFromTheCurrentFolder) {
+    ASSERT_EQ(foam("approximate robot.urdf -n 1 --with hull -o hulls.urdf").code, 0);
+    EXPECT_EQ(piped("hulls.urdf", "certify robot.urdf -").code, 0);
+    EXPECT_EQ(piped("hulls.urdf", "convert - -o hulls.json").code, 0);
+    EXPECT_EQ(foam("certify robot.urdf hulls.json").code, 0);
+}
+
 TEST_F(FromStandardInput, AModelIsRecognisedByItsReader) {
     ASSERT_EQ(foam("spherize box.obj -n 3 -m grid -o spheres.csv").code, 0);
     EXPECT_EQ(piped("spheres.csv", "certify box.obj -").code, 0);
@@ -124,6 +163,8 @@ TEST_F(FromStandardInput, ErrorsNameTheStandardInput) {
     EXPECT_NE(broken.code, 0);
     EXPECT_THAT(broken.out, HasSubstr("stdin:1"));
     EXPECT_THAT(broken.out, Not(HasSubstr("/foam-")));
+    EXPECT_EQ(shell("printf '<robot name=\"r\">\\n<link/></robot>' | '" FOAM_TEST_BINARY "' info -").err,
+              "foam: error: stage 'load.urdf': stdin:2: <link> has no name\n");
     const Outcome missing = shell("sed s/box.obj/none.obj/ robot.urdf | '" FOAM_TEST_BINARY "' info -");
     EXPECT_THAT(missing.err, HasSubstr((path() / "meshes/none.obj").string()));
 }

@@ -65,12 +65,51 @@ def test_a_robot_has_its_links_joints_and_meshes(arm):
     assert np.allclose(turn.rotation, [[np.cos(1.5), -np.sin(1.5), 0], [np.sin(1.5), np.cos(1.5), 0], [0, 0, 1]])
     assert (turn.lower, turn.upper, fix.kind) == (-1, 1, "fixed")
     assert arm.collision_mesh("base").volume == pytest.approx(0.06 * 0.04 * 0.2, rel=1e-6)
-    assert arm.urdf == ARM
     with pytest.raises(foam.UsageError, match="no link 'hand'.*base, upper, tip"):
         arm.collision_mesh("hand")
     model = arm.spherize(9)
     assert list(model) == arm.links and model.count <= 9 and model.certified
     assert foam.self_collision(arm).ignored()[0] == ("base", "upper", "Adjacent")
+
+
+@pytest.mark.parametrize("fate", ["changed", "deleted"])
+def test_files_are_read_once(tmp_path, fate):
+    """What becomes of the URDF and of a mesh after foam.load() changes nothing."""
+    (tmp_path / "parts").mkdir()
+    mesh, file = tmp_path / "parts/box.stl", tmp_path / "arm.urdf"
+    foam.Mesh(*box()).export(mesh)
+    file.write_text(ARM.replace("</robot>", "<!-- mine --></robot>"))
+
+    def results(robot):
+        model = robot.spherize(9, effort="fast", fresh=True)
+        capsules = robot.approximate(5, "capsule", effort="fast", fresh=True)
+        files = model.save(tmp_path / "out.urdf")
+        assert foam.certify(robot, model) and foam.certify(robot, capsules)
+        figures = foam.evaluate(robot, model).total.excess
+        pairs = foam.self_collision(robot, samples=200).pairs
+        return model, capsules, [path.read_text() for path in files], figures, pairs, robot.joints
+
+    wanted = results(foam.load(file))
+    robot = foam.load(file)
+    if fate == "changed":
+        file.write_text(ARM.replace("0.1 0.1 0.3", "0.5 0.5 0.5").replace("tip", "hand"))
+        foam.Mesh(*box(2, 2, 2)).export(mesh)
+    else:
+        file.unlink()
+        mesh.unlink()
+    found = results(robot)
+    assert found == wanted and "<!-- mine -->" in found[2][0]
+    assert "<html" in robot.spherize(9, effort="fast").show(browse=False).read_text()[:200]
+
+
+def test_a_mesh_file_is_read_once(tmp_path):
+    mesh = foam.Mesh(*box(60, 40, 200)).export(tmp_path / "part.stl")
+    wanted = foam.load(mesh, unit="mm").spherize(5)
+    part = foam.load(mesh, unit="mm")
+    Path(mesh).unlink()
+    assert part.spherize(5, fresh=True) == wanted and foam.certify(part, wanted)
+    with pytest.raises(foam.UsageError, match="'unit' is of the input"):
+        part.spherize(5, set={"unit": "cm"})
 
 
 def test_chosen_links_alone_are_spherized_and_judged():

@@ -128,6 +128,28 @@ TEST_F(SessionTest, SearchesTheWholeRobotAsSpherizeDoes) {
     EXPECT_TRUE(spheres(upper).empty());
 }
 
+TEST_F(SessionTest, FilesAreReadOnce) {
+    write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    std::string text = arm_urdf;
+    const std::string box = "<collision><geometry><box size=\"0.2 0.2 0.1\"/>";
+    write("meshed.urdf", text.replace(text.find(box), box.size(), "<collision><geometry><mesh filename=\"part.obj\"/>"));
+    begin({"meshed.urdf"});
+    apply({.kind = Kind::count, .spheres = 12});
+    const ModelState wanted = session->state(0);
+    ASSERT_FALSE(wanted[base]->spheres.empty());
+    begin({"meshed.urdf"});
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        if (const auto ending = entry.path().extension(); ending == ".urdf" || ending == ".obj") {
+            std::ofstream(entry.path()) << "no longer what it was";
+        }
+    }
+    apply({.kind = Kind::count, .spheres = 12});
+    for (std::size_t l = 0; l < wanted.size(); ++l) {
+        EXPECT_EQ(spheres(l), wanted[l]->spheres);
+        EXPECT_TRUE(spheres(l).empty() || session->verdict(0, l)->holds);
+    }
+}
+
 TEST_F(SessionTest, PinsAndWeightsShapeTheWholeRobot) {
     begin({"arm.urdf"});
     apply({.kind = Kind::count, .spheres = 8});
