@@ -87,9 +87,10 @@ int convert(Program& program, const ConvertArguments& arguments) {
     const auto parameters = parameters_of(arguments.settings, format.info);
     const auto writer = registry.make<Writer>(format.info.name, parameters);
     // A file that gets its own spheres keeps its buffer.
-    SphereFile file = read_sphere_file(arguments.model, registry, arguments.reader,
-                                       is_same_file(arguments.into, arguments.model) ? Radii::as_written : Radii::as_used,
-                                       program.standard_input.name_of(arguments.model));
+    SphereFile file =
+        read_sphere_file(arguments.model, registry, arguments.reader,
+                         is_same_file(arguments.into, arguments.model) ? Radii::as_written : Radii::as_used,
+                         program.standard_input.name_of(arguments.model));
     for (const std::string& note : file.notes) {
         tell(fmt::format("warning: {}: {}", arguments.model, note));
     }
@@ -97,8 +98,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     rename_links(file, renames_of(arguments.renames));
     std::optional<Original> original;
     if (!arguments.robot.empty()) {
-        original = load_original(arguments.robot, registry,
-                                 {.name = program.standard_input.name_of(arguments.robot)});
+        original = load_original(arguments.robot, registry, {.name = program.standard_input.name_of(arguments.robot)});
     }
     name_only_link(file, original ? &*original : nullptr);
     if (original) {

@@ -239,8 +239,7 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
         print_data(settings.empty() ? quick.text : to_yaml(read.recipes.at(0), registry, true));
         return 0;
     }
-    return run_quick(arguments, read.recipes.at(0), quick, registry,
-                     program.standard_input.name_of(arguments.input));
+    return run_quick(arguments, read.recipes.at(0), quick, registry, program.standard_input.name_of(arguments.input));
 }
 
 /// Adds the options that both commands have.

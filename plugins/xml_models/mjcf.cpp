@@ -267,8 +267,7 @@ private:
     /// The spheres have no mass, as their overlaps would count twice; so every body that moves needs an <inertial>.
     void add_inertial(const std::string& link, bool moves, std::size_t depth) {
         const std::optional<Inertial>& inertial = model_.robot->find_link(link)->inertial;
-        const auto stated =
-            inertial ? std::optional(stated_mass(*inertial, *model_.robot, link)) : std::nullopt;
+        const auto stated = inertial ? std::optional(stated_mass(*inertial, *model_.robot, link)) : std::nullopt;
         if (stated && is_of_a_body(*stated)) {
             line(depth, inertial_text(*stated));
         } else if (stated && stated->mass > 0) {

@@ -106,8 +106,8 @@ Value PlainmpWriter::document(const SphereModel& model, const std::vector<LinkSp
     require_robot(model, name());
     warn_without_pairs(model, context);
     const PlannedJoints joints = planned_joints(model);
-    Value document = yaml::map({{"urdf_path", yaml::text(urdf_path(model, context))},
-                                {"control_joint_names", names_of(joints.active)}});
+    Value document = yaml::map(
+        {{"urdf_path", yaml::text(urdf_path(model, context))}, {"control_joint_names", names_of(joints.active)}});
     if (model.ignored_pairs) {
         yaml::append(document, "self_collision_pairs", checked_pairs(*model.ignored_pairs, links));
     }

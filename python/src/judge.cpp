@@ -56,9 +56,8 @@ py::tuple paired(const HeldRobot& robot, const SphereFile* spheres, std::size_t 
     work_aside(
         [&](const std::atomic<bool>& cancel) {
             const Original& original = robot.original;
-            const CollisionModel model =
-                spheres ? collision_model_of(original, match(original, *spheres))
-                        : collision_model_of(original.loaded, *robot.registry, per_link);
+            const CollisionModel model = spheres ? collision_model_of(original, match(original, *spheres))
+                                                 : collision_model_of(original.loaded, *robot.registry, per_link);
             const Kinematics kinematics(model.robot);
             const SelfCollisionMatrix matrix = self_collision_matrix(kinematics, model,
                                                                      {.samples = samples,

@@ -107,14 +107,15 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
 
 /// `kinds`: nothing for spheres alone, as `foam spherize`; else as `foam approximate`.
 py::tuple quick(const std::filesystem::path& input, const std::string& method,
-                const std::optional<std::vector<std::string>>& kinds, std::optional<std::size_t> count, std::optional<double> excess, std::optional<double> max_protrusion,
-                std::optional<double> cost, const std::map<std::string, double>& costs, const std::string& objective,
+                const std::optional<std::vector<std::string>>& kinds, std::optional<std::size_t> count,
+                std::optional<double> excess, std::optional<double> max_protrusion, std::optional<double> cost,
+                const std::map<std::string, double>& costs, const std::string& objective,
                 const std::optional<std::string>& unit, double scale, const std::string& geometry,
                 const Registry& registry) {
     const QuickMethod by = kinds ? QuickMethod(method, kinds_named(*kinds, "kinds"), objective) : QuickMethod(method);
     const QuickBudget budget{count, excess, max_protrusion, cost, costs};
-    const QuickRecipe made =
-        quick_recipe(input, by, is_mesh(input, registry) ? "json" : "urdf", budget, {.unit = unit, .scale = scale}, geometry, registry);
+    const QuickRecipe made = quick_recipe(input, by, is_mesh(input, registry) ? "json" : "urdf", budget,
+                                          {.unit = unit, .scale = scale}, geometry, registry);
     return py::make_tuple(made.name, made.text, made.left_out, made.stage);
 }
 
@@ -152,8 +153,8 @@ void add_runs(py::module_& module) {
         },
         py::arg("table"));
     module.def("quick_recipe", &quick, py::arg("input"), py::arg("method"), py::arg("kinds"), py::arg("count"),
-               py::arg("excess"), py::arg("max_protrusion"), py::arg("cost"), py::arg("costs"),
-               py::arg("objective"), py::arg("unit"), py::arg("scale"), py::arg("geometry"), py::arg("registry"));
+               py::arg("excess"), py::arg("max_protrusion"), py::arg("cost"), py::arg("costs"), py::arg("objective"),
+               py::arg("unit"), py::arg("scale"), py::arg("geometry"), py::arg("registry"));
 }
 
 } // namespace foam::python

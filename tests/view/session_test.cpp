@@ -132,7 +132,8 @@ TEST_F(SessionTest, FilesAreReadOnce) {
     write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
     std::string text = arm_urdf;
     const std::string box = "<collision><geometry><box size=\"0.2 0.2 0.1\"/>";
-    write("meshed.urdf", text.replace(text.find(box), box.size(), "<collision><geometry><mesh filename=\"part.obj\"/>"));
+    write("meshed.urdf",
+          text.replace(text.find(box), box.size(), "<collision><geometry><mesh filename=\"part.obj\"/>"));
     begin({"meshed.urdf"});
     apply({.kind = Kind::count, .spheres = 12});
     const ModelState wanted = session->state(0);

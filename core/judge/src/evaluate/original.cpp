@@ -85,8 +85,9 @@ Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& 
     const RunOptions run;
     Journal journal(nullptr);
     journal.repeat(loaded->said, "", loaded->report.stage);
-    LoadedLinks links = load_links({registry, run, journal}, {}, *result.robot,
-                                   [&](const Link& link) { return is_chosen(link, options.links); }, loaded->meshes);
+    LoadedLinks links = load_links(
+        {registry, run, journal}, {}, *result.robot, [&](const Link& link) { return is_chosen(link, options.links); },
+        loaded->meshes);
     result.links = solids_of(links.links);
     if (result.links.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",

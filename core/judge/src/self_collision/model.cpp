@@ -96,7 +96,9 @@ CollisionModel collision_model_of(const std::shared_ptr<const LoadedInput>& load
 
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
                                     std::size_t spheres_per_link, const OriginalOptions& options) {
-    return collision_model_of(read_original(urdf, registry, options), registry, spheres_per_link);
+    OriginalOptions named = options;
+    named.name = options.name.empty() ? urdf : options.name; // messages have the file as it is given
+    return collision_model_of(read_original(urdf, registry, named), registry, spheres_per_link);
 }
 
 CollisionModel collision_model_of(const Original& original, const MatchedModel& matched) {

@@ -144,8 +144,8 @@ std::vector<LinkWork> prepare_links(const Workspace& workspace, const Robot& rob
 std::vector<InputFile> mesh_files(const Workspace& workspace, const Robot& robot) {
     const Reading reading = reading_of(workspace);
     std::vector<InputFile> files;
-    for (const MeshReference& reference : mesh_references(
-             robot, [&](const Link& link) { return !workspace.recipe.for_link(link.name).skip; })) {
+    for (const MeshReference& reference :
+         mesh_references(robot, [&](const Link& link) { return !workspace.recipe.for_link(link.name).skip; })) {
         try {
             files.push_back(mesh_file_of(workspace.registry, reading, reference));
         } catch (const Error&) {

@@ -67,8 +67,8 @@ void read_mesh(const Calls& calls, const Reading& reading, LoadedInput& input) {
     const DigestedFile digested = digest_of_mesh(calls.registry, reading, input.file);
     input.digest = digested.digest;
     input.bytes = digested.bytes;
-    input.robot = std::make_shared<const Robot>(
-        robot_of_mesh(input.file, portable_reference(input), reading.unit.factor()));
+    input.robot =
+        std::make_shared<const Robot>(robot_of_mesh(input.file, portable_reference(input), reading.unit.factor()));
 }
 
 void read_robot(const Calls& calls, const Reading& reading, LoadedInput& input) {

@@ -111,11 +111,10 @@ Error bad_end(const ChildEnd& end, const Isolation& isolation, const StageReques
 }
 
 /// Returns the answer to a request. Throws what the stage has thrown, and Error for a child that gave no answer.
-std::string call_in_child(const Calls& calls, StageRequest request, const Isolation& isolation,
-                          Context& context) {
+std::string call_in_child(const Calls& calls, StageRequest request, const Isolation& isolation, Context& context) {
     const std::filesystem::path program = !calls.options.program.empty() ? calls.options.program
-                                          : serves_isolated_calls()          ? "/proc/self/exe"
-                                                                             : "";
+                                          : serves_isolated_calls()      ? "/proc/self/exe"
+                                                                         : "";
     if (program.empty()) {
         throw Error(ErrorCode::usage,
                     fmt::format("this program cannot run stages in child processes; remedy: {}, or run it with foam",
