@@ -86,7 +86,7 @@ TEST_F(FromStandardInput, ARobotKeepsItsTextAndItsReferencesLeadOn) {
     ASSERT_EQ(piped("two.urdf", "spherize - -n 6 -m grid -o out/piped.urdf").code, 0);
     ASSERT_EQ(foam("spherize two.urdf -n 6 -m grid -o out/named.urdf").code, 0);
     EXPECT_EQ(contents(path() / "out/piped.urdf"), contents(path() / "out/named.urdf"));
-    EXPECT_THAT(contents(path() / "out/piped.urdf"), AllOf(HasSubstr("filename=\"../meshes/box.obj\"/>"),
+    EXPECT_THAT(contents(path() / "out/piped.urdf"), AllOf(HasSubstr("filename='../meshes/box.obj'/>"),
                                                            HasSubstr("../skin.png"), HasSubstr("<!-- mine -->")));
     ASSERT_EQ(foam("spherize two.urdf -n 6 -m grid -o model.csv").code, 0);
     ASSERT_EQ(piped("two.urdf", "convert model.csv - -o out/piped.urdf").code, 0);
