@@ -40,7 +40,8 @@ struct SelfCollisionArguments {
 CollisionModel model_of_robot(const Program& program, const SelfCollisionArguments& arguments,
                               const Registry& registry) {
     const StandardInput& piped = program.standard_input;
-    const OriginalOptions options{.name = piped.is(arguments.urdf) ? piped.name() : std::filesystem::path(arguments.urdf)};
+    const OriginalOptions options{.name =
+                                      piped.is(arguments.urdf) ? piped.name() : std::filesystem::path(arguments.urdf)};
     if (arguments.model.empty()) {
         return load_collision_model(arguments.urdf, registry, arguments.spheres, options);
     }

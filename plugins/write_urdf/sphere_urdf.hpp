@@ -17,7 +17,8 @@ namespace foam {
 /// A URDF text that is being changed.
 class SphereUrdf {
 public:
-    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its name, for messages. The model must outlive it.
+    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its
+    /// name, for messages. The model must outlive it.
     SphereUrdf(const SphereModel& model, std::string writer);
 
     const std::string& writer() const { return writer_; }

@@ -20,8 +20,8 @@ yaml::Value map_of(const PlannedJoints::Positions& joints);
 /// Returns a list with the same number for each joint.
 yaml::Value repeated(double value, std::size_t count);
 
-/// Returns the robot's URDF as a program finds it: its absolute path; without a folder the name of the file. For a robot
-/// of no file the URDF is expected beside the file that is written. Logs a URDF that is not there.
+/// Returns the robot's URDF as a program finds it: its absolute path; without a folder the name of the file. For a
+/// robot of no file the URDF is expected beside the file that is written. Logs a URDF that is not there.
 std::string urdf_path(const SphereModel& model, Context& context);
 
 /// Throws Error(output) for a link with spheres that is not below the base link: a program would not find it.

@@ -20,9 +20,8 @@ enum class Radii {
 /// empty. Spheres whose radius is not above 0 are switched off (cuMotion): they are left out, with a note. Throws
 /// Error(input) naming file, line and remedy: also if no reader recognises the file, or several do; Error(usage) for an
 /// unknown reader. `name`: that its content goes by, as in parse_sphere_file(); empty: the file's own.
-SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry,
-                            const std::string& reader = "", Radii radii = Radii::as_used,
-                            const std::filesystem::path& name = {});
+SphereFile read_sphere_file(const std::filesystem::path& file, const Registry& registry, const std::string& reader = "",
+                            Radii radii = Radii::as_used, const std::filesystem::path& name = {});
 
 /// Reads a sphere model from memory; `file`: its name in messages, and the base of relative references.
 SphereFile parse_sphere_file(const std::string& text, const std::filesystem::path& file, const Registry& registry,

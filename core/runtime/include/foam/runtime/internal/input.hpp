@@ -23,7 +23,8 @@ struct Input {
 /// Returns how the recipe's input is read. The recipe must outlive it.
 Reading reading_of(const Workspace& workspace);
 
-/// Returns RunOptions::input, or loads the first candidate that resolves. Throws Error(input) with every place tried, or with the error in the file.
+/// Returns RunOptions::input, or loads the first candidate that resolves. Throws Error(input) with every place tried,
+/// or with the error in the file.
 Input load_input(const Workspace& workspace);
 /// Returns whether a candidate resolves.
 bool input_resolves(const Recipe& recipe);
