@@ -1,4 +1,4 @@
-#include "build_text.hpp"
+#include "program.hpp"
 
 #include "commit.hpp" // made by commit.cmake
 

@@ -1,4 +1,4 @@
-#include "completion.hpp"
+#include "help.hpp"
 
 #include <foam/base/error.hpp>
 

@@ -1,14 +1,10 @@
-#include "entry.hpp"
+#include "program.hpp"
 
-#include "interrupt.hpp"
 #include "messages.hpp"
-#include "program_end.hpp"
-#include "suggestion.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/runtime/crash.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 

@@ -1,10 +1,9 @@
-#include "interrupt.hpp"
+#include "messages.hpp"
 
 #include "program.hpp"
-#include "program_end.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
-#include "manual.hpp"
+#include "help.hpp"
 
-#include "suggestion.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

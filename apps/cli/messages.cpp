@@ -1,11 +1,18 @@
 #include "messages.hpp"
 
+#include <foam/base/text.hpp>
+
 #include <fmt/color.h>
+#include <fmt/format.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
-#include <unistd.h>
+#include <functional>
 #include <utility>
 
 namespace foam::cli {
@@ -101,6 +108,58 @@ std::string with_names(std::string text) {
 std::string coloured(const std::string& text, Stream stream) {
     const bool wanted = stream == Stream::out ? showing().colour_out : showing().colour_err;
     return wanted ? coloured_lines(text) : text;
+}
+
+namespace {
+
+/// Returns a validator that the help does not show.
+CLI::Validator expecting(std::string what, std::function<bool(double)> holds) {
+    const auto check = [what = std::move(what), holds = std::move(holds)](std::string& word) {
+        const std::optional<double> number = parse_number(word);
+        return number && std::isfinite(*number) && holds(*number) ? std::string()
+                                                                  : fmt::format("expects {}, got '{}'", what, word);
+    };
+    return {check, ""};
+}
+
+} // namespace
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+    const std::string range = most < std::numeric_limits<std::uint64_t>::max()
+                                  ? fmt::format(" from {} to {}", least, most)
+                                  : fmt::format(" of at least {}", least);
+    const auto check = [=](std::string& word) {
+        std::uint64_t number = 0;
+        const char* const end = word.data() + word.size();
+        const auto [read, error] = std::from_chars(word.data(), end, number);
+        return error == std::errc() && read == end && number >= least && number <= most
+                   ? std::string()
+                   : fmt::format("expects a whole number{}, got '{}'", range, word);
+    };
+    return {check, ""};
+}
+
+CLI::Validator number_above(double least) {
+    return expecting(fmt::format("a finite number above {:g}", least), [=](double number) { return number > least; });
+}
+
+CLI::Validator number_from(double least) {
+    return expecting(fmt::format("a finite number of at least {:g}", least),
+                     [=](double number) { return number >= least; });
+}
+
+CLI::Validator number_between(double below, double above) {
+    return expecting(fmt::format("a number between {:g} and {:g}", below, above),
+                     [=](double number) { return number > below && number < above; });
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string near = nearest_word(word, known);
+    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::string unknown_command(const std::string& word, const std::vector<std::string>& known) {
+    return fmt::format("unknown command '{}'{}", word, did_you_mean(word, known));
 }
 
 } // namespace foam::cli

@@ -1,14 +1,12 @@
 #include "program.hpp"
 
-#include "build_text.hpp"
 #include "help.hpp"
 #include "messages.hpp"
-#include "numbers.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>

@@ -1,20 +1,75 @@
 // What all subcommands share: the registry, filled when it is first asked for, and the chosen action.
 #pragma once
 
-#include "standard_input.hpp"
-
 #include <foam/recipe/recipe.hpp>
+#include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace foam::cli {
+
+/// Arguments that may be `-`. What arrives there goes to a temporary file, which takes the place of the argument.
+class StandardInput {
+public:
+    enum class Holds { geometry, model };
+
+    /// Registers an argument. The format of a robot or a mesh must be recognised or given; a model's reader
+    /// recognises it.
+    void may_be(std::string& argument, Holds holds);
+    void may_be(std::vector<std::string>& arguments, Holds holds);
+    /// `--input-format`.
+    void add_format(CLI::App& command);
+    /// Reads the standard input if an argument is `-`. Throws Error(usage) for two of them, Error(input) for what is
+    /// empty, too large or not recognised.
+    void take();
+    /// Returns whether this argument was `-`.
+    bool is(const std::string& argument) const { return !file_.empty() && argument == file_; }
+    /// Returns the temporary file; empty if no argument was `-`.
+    const std::string& file() const { return file_; }
+    /// Returns the name that the content goes by: a file in the current folder, from which relative references lead. It
+    /// does not exist. Empty if no argument was `-`.
+    const std::filesystem::path& name() const { return name_; }
+    /// Returns name() for the argument that was `-`; empty for another.
+    std::filesystem::path name_of(const std::string& argument) const {
+        return is(argument) ? name_ : std::filesystem::path();
+    }
+
+private:
+    struct Single {
+        std::string* argument;
+        Holds holds;
+    };
+    struct Several {
+        std::vector<std::string>* arguments;
+        Holds holds;
+    };
+    void store(std::string& argument, Holds holds);
+
+    std::vector<Single> single_;
+    std::vector<Several> several_;
+    std::string format_, file_;
+    std::filesystem::path name_;
+    std::optional<ScratchFolder> folder_;
+};
+
+/// Returns the ending of a robot's or a mesh's format that the first bytes of a text of `size` bytes show: urdf, stl,
+/// ply, obj, off, dae, glb or gltf; empty for another.
+std::string ending_of_content(std::string_view begin, std::uintmax_t size);
+
+/// Returns the argument as messages name it: "stdin" for `-`.
+std::string named(const std::string& argument);
+
+/// Reads the recipe; `-` is the standard input, whose paths lead from the current folder.
+RecipeResult read_recipe_argument(const std::string& file, Registry& registry, const std::vector<Setting>& settings,
+                                  const std::vector<std::string>& variants);
 
 /// This program's file, even if another has taken its place since.
 inline constexpr const char* own_program = "/proc/self/exe";
@@ -76,5 +131,23 @@ void tell_findings(const std::vector<Diagnostic>& findings);
 void tell(std::string_view line);
 /// The same without them.
 void tell_text(std::string_view text);
+
+/// Returns the commit, the build type and the compiler: "1a2b3c4d5e, Release, g++ 12.2.0"; without the commit where
+/// foam was not built in a clone.
+std::string build_text();
+
+/// Opens /dev/null in the place of each standard stream that the caller has closed: else the next file that is opened
+/// would take its number, and messages would go into it.
+void open_closed_streams();
+
+/// Installs a guard: if a stage calls exit(), quick_exit() or _exit(), the program names it, removes the unfinished run
+/// directory and ends with the exit code of a plugin's fault. For the whole process; call it once.
+void report_ends_by_stages();
+/// Removes that guard: the program itself is about to end. Safe in a signal handler.
+void expect_end();
+
+/// Reads the command line, runs the command that it names, reports errors, and returns the exit code. A call as the
+/// child process of an isolated stage does not return.
+int run_main(int count, char** arguments, const std::function<void(Program&)>& add_commands);
 
 } // namespace foam::cli

@@ -1,7 +1,7 @@
-#include "program_end.hpp"
+#include "program.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <atomic>
 #include <cstdlib>

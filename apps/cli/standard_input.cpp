@@ -1,7 +1,7 @@
-#include "standard_input.hpp"
+#include "program.hpp"
 
+#include "files.hpp"
 #include "messages.hpp"
-#include "recipe_file.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/xml/document.hpp>

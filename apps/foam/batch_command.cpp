@@ -1,11 +1,8 @@
 // foam batch: spheres for data sets.
-#include "batch_progress.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -15,10 +12,59 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 namespace foam::cli {
+
+/// A line on stderr, on a terminal only: meshes, failures, rate, time left.
+class BatchProgressBar {
+public:
+    BatchProgressBar();
+    void show(const BatchProgress& progress);
+    void clear();
+
+private:
+    bool terminal_, drawn_ = false;
+};
+
+namespace {
+
+/// Returns a time span for people: "12 s", "3 min", "2.5 h", "4.1 days".
+std::string span_text(double seconds) {
+    return seconds < 100       ? fmt::format("{:.0f} s", seconds)
+           : seconds < 6000    ? fmt::format("{:.0f} min", seconds / 60)
+           : seconds < 172'800 ? fmt::format("{:.1f} h", seconds / 3600)
+                               : fmt::format("{:.1f} days", seconds / 86'400);
+}
+
+} // namespace
+
+BatchProgressBar::BatchProgressBar() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+void BatchProgressBar::show(const BatchProgress& progress) {
+    if (!terminal_ || progress.meshes == 0) {
+        return;
+    }
+    constexpr std::size_t width = 20;
+    const std::size_t filled = width * progress.done / progress.meshes;
+    const double left = static_cast<double>(progress.meshes - progress.done);
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}/{} meshes, {} failed, {:.1f}/s{}", "", filled, "", width - filled,
+               progress.done, progress.meshes, progress.failed, progress.rate,
+               progress.rate > 0 ? fmt::format(", {} left", span_text(left / progress.rate)) : "");
+    drawn_ = true;
+}
+
+void BatchProgressBar::clear() {
+    if (drawn_) {
+        fmt::print(stderr, "\r\033[K");
+        drawn_ = false;
+    }
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // foam cache: how much it holds; making it smaller.
-#include "cli/numbers.hpp"
+#include "cli/messages.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
 

@@ -1,9 +1,9 @@
+#include "cli/files.hpp"
 #include "cli/program.hpp"
-#include "cli/recipe_file.hpp"
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/recipe/findings_json.hpp>
+#include <foam/recipe/json.hpp>
 #include <foam/runtime/plan.hpp>
 
 #include <fmt/format.h>

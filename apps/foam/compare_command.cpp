@@ -1,9 +1,8 @@
 // foam compare: several sphere models of one robot.
+#include "cli/files.hpp"
 #include "cli/messages.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
 #include "commands.hpp"
-#include "comparison.hpp"
+#include "judge.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/sdk/stage.hpp>

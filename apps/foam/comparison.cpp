@@ -1,6 +1,6 @@
-#include "comparison.hpp"
+#include "judge.hpp"
 
-#include "table.hpp"
+#include "commands.hpp"
 
 #include <foam/robot/robot.hpp>
 #include <foam/runtime/shown_elements.hpp>

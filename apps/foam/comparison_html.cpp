@@ -1,8 +1,7 @@
 // A comparison as one HTML file: no other file, no network.
-#include "comparison.hpp"
+#include "judge.hpp"
 
-#include <foam/base/markup.hpp>
-#include <foam/report/bar_scale.hpp>
+#include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>
 #include <foam/runtime/version.hpp>
 

@@ -1,11 +1,10 @@
 // foam convert: a sphere model from any format that is read to any that is written.
 #include "commands.hpp"
+#include "execute.hpp"
 #include "judge.hpp"
-#include "telling.hpp"
-#include "written_files.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
@@ -74,6 +73,68 @@ void pad(SphereFile& file, const std::string& text, const Original* original) {
     }
 }
 
+KindCounts kinds_in(const SphereModel& model) {
+    KindCounts kinds{};
+    for (const SphereGroup& group : model.groups) {
+        kinds = sum_of(kinds, kinds_of(group.tree.elements()));
+    }
+    return kinds;
+}
+
+/// Returns the model of a file with all that the arguments say of it, and what the writer wants to know.
+SphereModel model_of(const SphereFile& file, const Original* original, const ConvertArguments& arguments,
+                     const StageInfo& writer, const std::map<std::string, ParameterValue>& parameters) {
+    SphereModel model = sphere_model_of(file, original ? original->robot : links_alone(file));
+    for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
+        model.geometry[link.link] = link.solid;
+    }
+    model.facts = {.base_link = arguments.base_link,
+                   .tool_frames = arguments.tool_frames,
+                   .lock_joints = positions_of(arguments.locks, "--lock"),
+                   .default_pose = positions_of(arguments.pose, "--pose"),
+                   .acceleration = {},
+                   .jerk = {}};
+    model.provenance = fmt::format("foam {}; {}, {}; {}", version(), file.file.filename().string(), file.format,
+                                   counts_text(kinds_in(model)));
+    if (!arguments.into.empty()) {
+        if (!writer.consumer.edits) {
+            throw Error(ErrorCode::usage, fmt::format("{} writes whole files; remedy: without --into", writer.name));
+        }
+        model.into = TextFile{arguments.into, text_of_file(arguments.into)};
+    }
+    if (lists_pairs(writer, parameters, !arguments.into.empty()) && original && model.groups.size() > 1) {
+        model.ignored_pairs = ignored_pairs_of(model, &stop_on_interrupt());
+    }
+    if (writer.consumer.rest_pose) {
+        const std::string sentence = give_rest_pose(
+            model, model.into ? group_states(model.into->text, model.into->file.string()) : std::vector<GroupState>{});
+        if (!sentence.empty()) {
+            tell("note: " + sentence);
+        }
+    }
+    return model;
+}
+
+/// Writes the files, those beside the one first. Throws Error(usage) if they replace inputs or, without --force,
+/// others.
+void write_files(const std::vector<WrittenFile>& files, const Original* original, const ConvertArguments& arguments,
+                 bool in_place) {
+    std::vector<std::filesystem::path> inputs{arguments.robot};
+    if (original) {
+        inputs = mesh_files(*original->robot);
+        inputs.emplace_back(arguments.robot);
+    }
+    if (!in_place) {
+        inputs.emplace_back(arguments.model);
+        inputs.emplace_back(arguments.into);
+    }
+    refuse_replacing(files, inputs, arguments.force);
+    for (std::size_t i = files.size(); i-- > 0;) {
+        make_folder_of(files[i]);
+        write_whole_file(files[i].file, files[i].bytes);
+    }
+}
+
 int convert(Program& program, const ConvertArguments& arguments) {
     const ThreadLimit limit(arguments.threads);
     const Registry& registry = program.registry();
@@ -100,67 +161,23 @@ int convert(Program& program, const ConvertArguments& arguments) {
     if (!arguments.robot.empty()) {
         original = load_original(arguments.robot, registry, {.name = program.standard_input.name_of(arguments.robot)});
     }
-    name_only_link(file, original ? &*original : nullptr);
+    const Original* known = original ? &*original : nullptr;
+    name_only_link(file, known);
     if (original) {
         require_links(file, *original->robot);
     }
     if (!arguments.pad.empty()) {
-        pad(file, arguments.pad, original ? &*original : nullptr);
+        pad(file, arguments.pad, known);
     }
-    SphereModel model = sphere_model_of(file, original ? original->robot : links_alone(file));
-    for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
-        model.geometry[link.link] = link.solid;
-    }
-    model.facts = {.base_link = arguments.base_link,
-                   .tool_frames = arguments.tool_frames,
-                   .lock_joints = positions_of(arguments.locks, "--lock"),
-                   .default_pose = positions_of(arguments.pose, "--pose"),
-                   .acceleration = {},
-                   .jerk = {}};
-    KindCounts kinds{};
-    for (const SphereGroup& group : model.groups) {
-        kinds = sum_of(kinds, kinds_of(group.tree.elements()));
-    }
-    model.provenance = fmt::format("foam {}; {}, {}; {}", version(), file.file.filename().string(), file.format,
-                                   counts_text(kinds));
-    if (!arguments.into.empty()) {
-        if (!format.info.consumer.edits) {
-            throw Error(ErrorCode::usage,
-                        fmt::format("{} writes whole files; remedy: without --into", format.info.name));
-        }
-        model.into = TextFile{arguments.into, text_of_file(arguments.into)};
-    }
-    if (lists_pairs(format.info, parameters, !arguments.into.empty()) && original && model.groups.size() > 1) {
-        model.ignored_pairs = ignored_pairs_of(model, &stop_on_interrupt());
-    }
-    if (format.info.consumer.rest_pose) {
-        const std::string sentence = give_rest_pose(
-            model, model.into ? group_states(model.into->text, model.into->file.string()) : std::vector<GroupState>{});
-        if (!sentence.empty()) {
-            tell("note: " + sentence);
-        }
-    }
+    const SphereModel model = model_of(file, known, arguments, format.info, parameters);
     Telling context(arguments.verbose);
-    const auto [files, proof] = judged_files(*writer, format.info, model, original ? &*original : nullptr, file,
-                                             arguments.output, context);
-    std::vector<std::filesystem::path> inputs{arguments.robot};
-    if (original) {
-        inputs = mesh_files(*original->robot);
-        inputs.emplace_back(arguments.robot);
-    }
-    if (!in_place) {
-        inputs.emplace_back(arguments.model);
-        inputs.emplace_back(arguments.into);
-    }
-    refuse_replacing(files, inputs, arguments.force);
-    for (std::size_t i = files.size(); i-- > 0;) { // files beside the one first
-        make_folder_of(files[i]);
-        write_whole_file(files[i].file, files[i].bytes);
-    }
+    const auto [files, proof] = judged_files(*writer, format.info, model, known, file, arguments.output, context);
+    write_files(files, known, arguments, in_place);
+    const KindCounts kinds = kinds_in(model);
     const bool elsewhere = format.info.consumer.elements_optional && !spheres_alone(kinds);
     print(fmt::format("Read: {}, {}, {} of {}\nWritten: {} by {}\n{}{}{}.\n", arguments.model, file.format,
-                      counts_text(kinds), counted(model.groups.size(), "link"),
-                      fmt::join(file_names(files), ", "), format.info.name,
+                      counts_text(kinds), counted(model.groups.size(), "link"), fmt::join(file_names(files), ", "),
+                      format.info.name,
                       elsewhere ? "The file holds no elements, only their pairs of links. Of the elements: " : "",
                       elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
     return 0;

@@ -1,9 +1,7 @@
 #include "execute.hpp"
 
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
-#include "progress.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

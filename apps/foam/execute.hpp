@@ -1,17 +1,36 @@
-// From a checked recipe to a finished run, with all that a person is told about it.
+// Runs: their progress, their summary, what they write.
 #pragma once
 
 #include "cli/program.hpp"
 
+#include <foam/judge/written_model.hpp>
 #include <foam/runtime/run.hpp>
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace foam::cli {
+
+/// On stderr: the size of the input first. The bar is drawn on a terminal only; warnings and errors always, notes if
+/// `verbose`. `quiet`: warnings and errors alone.
+class Progress final : public Observer {
+public:
+    explicit Progress(bool verbose, bool quiet = false);
+    ~Progress() override;
+    void on(const Event& event) override;
+
+private:
+    void draw(const Event& event);
+    void clear();
+
+    bool verbose_, quiet_, terminal_, drawn_ = false;
+    double last_drawn_ = -1;
+    std::string task_;
+};
 
 struct ExecuteOptions {
     std::size_t threads = 0; ///< 0: all cores
@@ -37,5 +56,23 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
                   const ExecuteOptions& options);
 /// 0; 4 if links were left out after errors; 130 if the user ended the search.
 int exit_code_of(const RunResult& result);
+
+/// A table: a line a link, the total, and whether cover is proved.
+std::string table_of(const RunResult& result, Guarantee guarantee);
+
+std::vector<std::string> file_names(const std::vector<WrittenFile>& files);
+
+/// Returns the parameters of a writer from texts like "version=0.7". Throws Error(usage) naming the text for an unknown
+/// name or another type.
+std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer);
+
+/// Throws Error(usage) unless `force`: for a file that is one of the inputs, by whatever name or link; and for a file
+/// beside the first that exists and does not belong to an earlier result of that name. It belongs to one if it names
+/// another of the files, or one of them names it.
+void refuse_replacing(const std::vector<WrittenFile>& files, const std::vector<std::filesystem::path>& inputs,
+                      bool force);
+
+/// Makes the folder of a file that lies beside an output.
+void make_folder_of(const WrittenFile& file);
 
 } // namespace foam::cli

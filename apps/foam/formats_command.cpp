@@ -1,6 +1,5 @@
 // foam formats: what is read and written.
 #include "commands.hpp"
-#include "table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "ignored_elsewhere.hpp"
+#include "judge.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/robot/robot.hpp>

@@ -1,7 +1,6 @@
 // foam info: what a file holds.
 #include "commands.hpp"
 #include "judge.hpp"
-#include "table.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>

@@ -1,9 +1,9 @@
 #include "judge.hpp"
 
-#include "table.hpp"
+#include "commands.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/replace_file.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>

@@ -3,6 +3,9 @@
 
 #include "cli/program.hpp"
 
+#include <foam/collision/self_collision.hpp>
+#include <foam/geometry/figure.hpp>
+#include <foam/judge/collision_model.hpp>
 #include <foam/judge/judge_json.hpp>
 
 #include <nlohmann/json.hpp>
@@ -56,5 +59,53 @@ void write_whole_file(const std::filesystem::path& file, const std::string& text
 std::string millimetres(double metres, int digits = 2);
 /// The numbers of elements that are judged, by kind.
 KindCounts kinds_of_model(const MatchedModel& model);
+
+struct JudgedModel {
+    std::string label; ///< "A", "B", …
+    MatchedModel model;
+    Evaluation evaluation;
+};
+
+struct Comparison {
+    Original original;
+    std::vector<JudgedModel> models;
+};
+
+std::string table_of(const Comparison& comparison);
+nlohmann::ordered_json json_of(const Comparison& comparison);
+/// The robot in its zero pose under the spheres of each model, a panel each.
+Figure figure_of(const Comparison& comparison);
+/// One link of the original under the spheres of each model.
+Figure figure_of_link(const Comparison& comparison, std::size_t link);
+
+/// PNG files.
+struct Pictures {
+    std::string whole;              ///< may be empty
+    std::vector<std::string> links; ///< of each link of the original; none where there is only one
+};
+/// A page that needs no other file.
+std::string html_of(const Comparison& comparison, const Pictures& pictures);
+
+/// The heading of the numbers of elements: "spheres" where all models have spheres alone, else "elements".
+const char* noun_of_elements(const Comparison& comparison);
+
+struct Agreement {
+    std::string file;
+    std::size_t both = 0;             ///< left out here and there
+    std::vector<IgnoredPair> unknown; ///< of links that have no spheres, or that the robot lacks
+    struct Difference {
+        LinkPair pair;
+        std::string reason; ///< there
+    };
+    std::vector<Difference> only_there; ///< to check here
+    std::vector<LinkPair> only_here;
+};
+
+Agreement agreement(const std::string& file, const Robot& robot, const SelfCollisionMatrix& matrix);
+std::string text_of(const Agreement& agreement, const Robot& robot, const SelfCollisionMatrix& matrix);
+nlohmann::ordered_json json_of(const Agreement& agreement, const Robot& robot);
+
+/// What is known of a pair, in words.
+std::string evidence(const SelfCollisionMatrix& matrix, const LinkPair& pair);
 
 } // namespace foam::cli

@@ -3,7 +3,7 @@
 #include "commands.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/recipe/stage_json.hpp>
+#include <foam/recipe/json.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

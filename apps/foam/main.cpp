@@ -1,7 +1,7 @@
-#include "cli/entry.hpp"
+#include "cli/program.hpp"
 #include "commands.hpp"
 
-#include <foam/batch/worker.hpp>
+#include <foam/batch/batch.hpp>
 
 int main(int count, char** arguments) {
     using namespace foam::cli;

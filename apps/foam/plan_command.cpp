@@ -1,8 +1,7 @@
 // foam plan: what would run.
-#include "cli/recipe_file.hpp"
+#include "cli/files.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "table.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -221,6 +220,32 @@ Json json_of_planned(const PlannedLink& link) {
     return json;
 }
 
+Json json_of_budget(const Recipe& recipe) {
+    Json json = Json::object();
+    if (recipe.budget_spheres) {
+        json[recipe.budget_in_elements ? "elements" : "spheres"] = *recipe.budget_spheres;
+    }
+    if (recipe.budget_cost) {
+        json["cost"] = *recipe.budget_cost;
+    }
+    if (recipe.budget_excess) {
+        json["excess"] = *recipe.budget_excess;
+    }
+    if (recipe.budget_max_protrusion) {
+        json["max_protrusion_m"] = *recipe.budget_max_protrusion;
+    }
+    if (recipe.budget_share) {
+        json["share"] = word_of(*recipe.budget_share);
+    }
+    if (recipe.budget_for) {
+        json["for"] = recipe.budget_for == BudgetFor::poses ? "poses" : "geometry";
+    }
+    if (recipe.budget_time_limit) {
+        json["time_limit_seconds"] = *recipe.budget_time_limit;
+    }
+    return json;
+}
+
 Json json_of_planned(const Plan& plan, const Recipe& recipe) {
     Json json{{"name", recipe.name},
               {"directory", (fs::path("runs") / recipe.name).string()},
@@ -231,7 +256,7 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
               {"input", {{"taken", plan.input}, {"not_found", plan.not_found}}},
               {"mesh_files", Json::array()},
               {"stages", Json::array()},
-              {"budget", Json::object()},
+              {"budget", json_of_budget(recipe)},
               {"guarantee", to_string(recipe.guarantee)},
               {"links", Json::array()},
               {"outputs", Json::array()}};
@@ -245,27 +270,6 @@ Json json_of_planned(const Plan& plan, const Recipe& recipe) {
     }
     for (const PlannedStage& stage : plan.stages) {
         json["stages"].push_back(json_of_planned(stage, false));
-    }
-    if (recipe.budget_spheres) {
-        json["budget"][recipe.budget_in_elements ? "elements" : "spheres"] = *recipe.budget_spheres;
-    }
-    if (recipe.budget_cost) {
-        json["budget"]["cost"] = *recipe.budget_cost;
-    }
-    if (recipe.budget_excess) {
-        json["budget"]["excess"] = *recipe.budget_excess;
-    }
-    if (recipe.budget_max_protrusion) {
-        json["budget"]["max_protrusion_m"] = *recipe.budget_max_protrusion;
-    }
-    if (recipe.budget_share) {
-        json["budget"]["share"] = word_of(*recipe.budget_share);
-    }
-    if (recipe.budget_for) {
-        json["budget"]["for"] = recipe.budget_for == BudgetFor::poses ? "poses" : "geometry";
-    }
-    if (recipe.budget_time_limit) {
-        json["budget"]["time_limit_seconds"] = *recipe.budget_time_limit;
     }
     if (recipe.self_collision) {
         json["self_collision"] = {{"reference_pose", recipe.self_collision_pose}};

@@ -1,4 +1,4 @@
-#include "progress.hpp"
+#include "execute.hpp"
 
 #include "cli/program.hpp"
 

@@ -1,9 +1,6 @@
-#include "cli/recipe_file.hpp"
+#include "cli/files.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "summary.hpp"
-
-#include "cli/run_directory.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,13 +1,10 @@
 // foam self-collision: which pairs of links never need a check.
-#include "cli/interrupt.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 #include "cli/program.hpp"
 #include "commands.hpp"
-#include "ignored_elsewhere.hpp"
+#include "execute.hpp"
 #include "judge.hpp"
-#include "progress.hpp"
-#include "table.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
@@ -40,8 +37,8 @@ struct SelfCollisionArguments {
 CollisionModel model_of_robot(const Program& program, const SelfCollisionArguments& arguments,
                               const Registry& registry) {
     const StandardInput& piped = program.standard_input;
-    const OriginalOptions options{.name =
-                                      piped.is(arguments.urdf) ? piped.name() : std::filesystem::path(arguments.urdf)};
+    const std::filesystem::path given = arguments.urdf;
+    const OriginalOptions options{.name = piped.is(arguments.urdf) ? piped.name() : given};
     if (arguments.model.empty()) {
         return load_collision_model(arguments.urdf, registry, arguments.spheres, options);
     }

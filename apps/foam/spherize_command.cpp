@@ -1,15 +1,12 @@
 #include "commands.hpp"
 #include "execute.hpp"
 #include "judge.hpp"
-#include "summary.hpp"
-#include "telling.hpp"
-#include "written_files.hpp"
 
-#include "cli/numbers.hpp"
-#include "cli/run_directory.hpp"
+#include "cli/files.hpp"
+#include "cli/messages.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/replace_file.hpp>
+#include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>
@@ -242,6 +239,50 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
     return run_quick(arguments, read.recipes.at(0), quick, registry, program.standard_input.name_of(arguments.input));
 }
 
+/// Adds how many elements there may be, or how good they are to be.
+void add_budget_options(CLI::App& command, SpherizeArguments& arguments, const std::string& elements) {
+    command
+        .add_option(arguments.elements ? "-n,--elements" : "-n,--spheres", arguments.budget.spheres,
+                    fmt::format("Maximum number of {} of the whole robot, at most 1000000; default: the method's own "
+                                "parameters decide",
+                                elements))
+        ->type_name("N")
+        ->check(whole_number(1, 1'000'000));
+    command
+        .add_option("--excess", arguments.budget.excess,
+                    fmt::format("Use the fewest {0} with an excess of at most X: volume of the {0} outside the robot / "
+                                "volume of the robot",
+                                elements))
+        ->type_name("X")
+        ->check(number_from(0));
+    command
+        .add_option("--max-protrusion", arguments.max_protrusion,
+                    fmt::format("Limit how far {} extend beyond their link, as far as their number allows: 10mm, 1cm, "
+                                "0.4in, or a number of metres",
+                                elements))
+        ->type_name("M");
+}
+
+void add_output_options(CLI::App& command, SpherizeArguments& arguments, const std::string& elements) {
+    command
+        .add_option("-o,--output", arguments.output,
+                    fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
+                                "name of INPUT with _{}, as URDF or JSON",
+                                elements))
+        ->type_name("FILE");
+    command
+        .add_option("--format", arguments.format,
+                    "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
+        ->type_name("FORMAT");
+    add_run_directory(command, arguments.run_dir, "Keep the whole run directory in this folder");
+    command
+        .add_option("--tool-frame", arguments.tool_frames,
+                    "A link that a planner moves to a goal, for formats of planners; repeatable")
+        ->type_name("LINK")
+        ->expected(1)
+        ->take_all();
+}
+
 /// Adds the options that both commands have.
 void add_common_options(CLI::App& command, Program& program, const std::shared_ptr<SpherizeArguments>& arguments) {
     const std::string elements = arguments->elements ? "elements" : "spheres";
@@ -250,26 +291,7 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
         ->required();
     program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
-    command
-        .add_option(arguments->elements ? "-n,--elements" : "-n,--spheres", arguments->budget.spheres,
-                    fmt::format("Maximum number of {} of the whole robot, at most 1000000; default: the method's own "
-                                "parameters decide",
-                                elements))
-        ->type_name("N")
-        ->check(whole_number(1, 1'000'000));
-    command
-        .add_option("--excess", arguments->budget.excess,
-                    fmt::format("Use the fewest {0} with an excess of at most X: volume of the {0} outside the robot / "
-                                "volume of the robot",
-                                elements))
-        ->type_name("X")
-        ->check(number_from(0));
-    command
-        .add_option("--max-protrusion", arguments->max_protrusion,
-                    fmt::format("Limit how far {} extend beyond their link, as far as their number allows: 10mm, 1cm, "
-                                "0.4in, or a number of metres",
-                                elements))
-        ->type_name("M");
+    add_budget_options(command, *arguments, elements);
     add_geometry(command, arguments->geometry,
                  fmt::format("The geometry of a robot that the {} cover: collision, visual or both", elements));
     add_mesh_unit(command, arguments->unit);
@@ -294,23 +316,7 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
                     "What is to be least: a word of the method's objective, such as excess or protrusion")
         ->type_name("WORD");
     command.add_option("--seed", arguments->seed, "Seed of the run; default: 0")->type_name("N")->check(whole_number());
-    command
-        .add_option("-o,--output", arguments->output,
-                    fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
-                                "name of INPUT with _{}, as URDF or JSON",
-                                elements))
-        ->type_name("FILE");
-    command
-        .add_option("--format", arguments->format,
-                    "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
-        ->type_name("FORMAT");
-    add_run_directory(command, arguments->run_dir, "Keep the whole run directory in this folder");
-    command
-        .add_option("--tool-frame", arguments->tool_frames,
-                    "A link that a planner moves to a goal, for formats of planners; repeatable")
-        ->type_name("LINK")
-        ->expected(1)
-        ->take_all();
+    add_output_options(command, *arguments, elements);
     command.add_flag("--print-recipe", arguments->print_recipe, "Print the equivalent recipe, and run nothing");
     add_settings(command, arguments->settings);
     add_strict(command, arguments->settings);
@@ -323,8 +329,9 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
 void add_element_options(CLI::App& command, SpherizeArguments& arguments) {
     command
         .add_option("--with", arguments.kinds,
-                    "Kinds of elements: sphere, capsule, cylinder, box, swept_box, hull, separated by commas; default: "
-                    "sphere,capsule,box, or those of the method")
+                    fmt::format("Kinds of elements: {}, separated by commas; default: sphere,capsule,box, or those of "
+                                "the method",
+                                fmt::join(kind_words(), ", ")))
         ->type_name("KIND[,KIND…]")
         ->delimiter(',');
     command

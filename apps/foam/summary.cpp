@@ -1,6 +1,6 @@
-#include "summary.hpp"
+#include "execute.hpp"
 
-#include "table.hpp"
+#include "commands.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/runtime/run_json.hpp>

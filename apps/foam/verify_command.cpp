@@ -1,8 +1,7 @@
 // foam verify: is a run directory what its recipe makes?
-#include "cli/interrupt.hpp"
+#include "cli/messages.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
-#include "progress.hpp"
 
 #include <foam/runtime/verify.hpp>
 

@@ -2,15 +2,13 @@
 #include "commands.hpp"
 #include "judge.hpp"
 
-#include "cli/interrupt.hpp"
+#include "cli/files.hpp"
 #include "cli/messages.hpp"
-#include "cli/numbers.hpp"
-#include "cli/overwriting.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 #include <foam/view/server.hpp>
 
 #include <fmt/format.h>

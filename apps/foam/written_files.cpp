@@ -1,6 +1,6 @@
-#include "written_files.hpp"
+#include "execute.hpp"
 
-#include "cli/overwriting.hpp"
+#include "cli/files.hpp"
 #include "cli/program.hpp"
 
 #include <foam/base/error.hpp>

@@ -1,5 +1,6 @@
 # What `cmake --install` puts where, and the packages that `cpack -G DEB` makes of it. Components: runtime (program, core,
-# plugins, recipes), sdk (headers, find_package(foam), templates of plugins), gpl (plugins under the GPL), bench (the program of `foam bench`, without collision engines), python (the package foam).
+# plugins, recipes), sdk (headers, find_package(foam), templates of plugins), gpl (plugins under the GPL), python (the package foam, and with it `foam bench` without
+# collision engines).
 # The build folder serves as an SDK too: CMAKE_PREFIX_PATH=<build folder>.
 
 install(DIRECTORY configs schemas DESTINATION "${CMAKE_INSTALL_DATADIR}/foam" COMPONENT runtime
@@ -13,7 +14,7 @@ foreach(FOLDER IN ITEMS configs apps/foam/templates)
 endforeach()
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime PATTERN html EXCLUDE)
-# Debian reads the licence of each package in a folder of its name; that of foam-bench is foam's.
+# Debian reads the licence of each package in a folder of its name.
 set(FOAM_COPYRIGHT_FOLDER "${CMAKE_INSTALL_DATADIR}/doc")
 install(FILES core/cmake/debian/copyright DESTINATION "${FOAM_COPYRIGHT_FOLDER}/foam" COMPONENT runtime)
 install(FILES core/cmake/debian/copyright DESTINATION "${FOAM_COPYRIGHT_FOLDER}/foam-dev" COMPONENT sdk)
@@ -27,23 +28,22 @@ endif()
 set(CPACK_PACKAGE_VENDOR "The foam authors")
 set(CPACK_PACKAGE_CONTACT "${CPACK_PACKAGE_VENDOR} <foam@localhost>")
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL runtime sdk gpl bench)
+set(CPACK_COMPONENTS_ALL runtime sdk gpl)
 if(TARGET foam_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
-  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "foam in Python: import foam")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "foam in Python: import foam; experiments: foam bench")
   set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-foam)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   math(EXPR FOAM_NEXT_PYTHON "${FOAM_PYTHON_MINOR} + 1") # a module is for one version of Python
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${FOAM_PYTHON_MINOR}), python3 (<< 3.${FOAM_NEXT_PYTHON}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib, python3-yaml") # foam bench
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_SOURCE_DIR}/python/debian/postinst;${CMAKE_SOURCE_DIR}/python/debian/prerm")
 endif()
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Turns robots and objects into spheres, with a proof that the geometry is inside")
 set(CPACK_COMPONENT_SDK_DESCRIPTION "Headers and CMake files for plugins of foam")
 set(CPACK_COMPONENT_GPL_DESCRIPTION "Plugins of foam that use CGAL's GPL packages: spherize.medial, repair.wrap")
-set(CPACK_COMPONENT_BENCH_DESCRIPTION "Experiments of foam: foam bench")
 set(CPACK_COMPONENT_SDK_DEPENDS runtime)
-set(CPACK_COMPONENT_BENCH_DEPENDS runtime)
 set(CPACK_COMPONENT_GPL_DEPENDS runtime)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -58,5 +58,4 @@ set(CPACK_DEBIAN_SDK_PACKAGE_NAME foam-dev)
 set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "cmake, g++")
 set(CPACK_DEBIAN_GPL_PACKAGE_NAME foam-plugins-gpl)
-set(CPACK_DEBIAN_BENCH_PACKAGE_NAME foam-bench)
 include(CPack)

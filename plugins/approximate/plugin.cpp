@@ -1,10 +1,10 @@
-// approximate.*: covering convex elements of foam/search/approximate.hpp as stages.
+// approximate.*: covering convex elements of foam/search/cover.hpp as stages.
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/sdk/plugin.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -17,7 +17,7 @@ using Kind = foam::Element::Kind;
 
 struct Settings {
     std::vector<Kind> kinds;
-    foam::ApproximateOptions options;
+    foam::CoverOptions options;
     std::size_t elements; ///< without a budget
 };
 
@@ -32,7 +32,7 @@ public:
         context_ = &context;
         std::vector<foam::SphereTree> trees;
         for (const foam::Budget& budget : budgets) {
-            foam::ConvexCover cover = cover_for(budget);
+            foam::Cover cover = cover_for(budget);
             trees.push_back(
                 foam::flat_tree(std::move(cover.elements)));
         }
@@ -41,26 +41,27 @@ public:
 
 private:
     /// Returns the search for elements of these kinds.
-    foam::ApproximationSearch& search_with(const std::vector<Kind>& kinds) {
-        std::unique_ptr<foam::ApproximationSearch>& search = searches_[kinds];
+    foam::CoverSearch& search_with(const std::vector<Kind>& kinds) {
+        std::unique_ptr<foam::CoverSearch>& search = searches_[kinds];
         if (!search) {
-            foam::ApproximateOptions options = settings_.options;
+            foam::CoverOptions options = settings_.options;
+            options.kinds = kinds;
             options.stop = [this] { return context_->cancelled(); };
-            search = std::make_unique<foam::ApproximationSearch>(shape_.original(), kinds, options);
+            search = std::make_unique<foam::CoverSearch>(shape_.original(), options);
         }
         return *search;
     }
 
     /// Returns the cover of the most elements that the budget allows; one element may cost more.
-    foam::ConvexCover cover_for(const foam::Budget& budget) {
+    foam::Cover cover_for(const foam::Budget& budget) {
         std::size_t most = budget.max_spheres.value_or(budget.max_cost ? SIZE_MAX : settings_.elements);
         if (!budget.max_cost) {
             return search_with(settings_.kinds).cover(most);
         }
-        foam::ApproximationSearch& search = search_with(affordable_kinds(*budget.max_cost, budget.cost));
+        foam::CoverSearch& search = search_with(affordable_kinds(*budget.max_cost, budget.cost));
         most = std::min(most, affordable(*budget.max_cost, budget.cost));
         while (true) {
-            foam::ConvexCover cover = search.cover(most);
+            foam::Cover cover = search.cover(most);
             const double price = foam::price_of(cover.elements, budget.cost);
             if (most == 1 || price <= *budget.max_cost) {
                 return cover;
@@ -94,7 +95,7 @@ private:
     const foam::Shape& shape_;
     const Settings& settings_;
     foam::Context* context_ = nullptr;                                                 ///< of the present call
-    std::map<std::vector<Kind>, std::unique_ptr<foam::ApproximationSearch>> searches_; ///< by kinds
+    std::map<std::vector<Kind>, std::unique_ptr<foam::CoverSearch>> searches_; ///< by kinds
 };
 
 foam::Effort effort_named(const std::string& name) {
@@ -105,7 +106,7 @@ foam::Effort effort_named(const std::string& name) {
 Settings settings_of(const foam::Parameters& parameters, std::vector<Kind> kinds) {
     Settings settings{.kinds = std::move(kinds), .options = {}, .elements = 0};
     settings.options.effort = effort_named(parameters.text("effort"));
-    settings.options.objective = foam::approximation_objective_named(parameters.text("objective")).value();
+    settings.options.objective = foam::objective_named(parameters.text("objective")).value();
     settings.elements = static_cast<std::size_t>(parameters.integer("elements"));
     return settings;
 }
@@ -145,6 +146,11 @@ public:
 class SweptBoxes final : public Approximator {
 public:
     explicit SweptBoxes(const foam::Parameters& p) : Approximator(settings_of(p, {Kind::swept_box})) {}
+};
+
+class Ellipsoids final : public Approximator {
+public:
+    explicit Ellipsoids(const foam::Parameters& p) : Approximator(settings_of(p, {Kind::ellipsoid})) {}
 };
 
 class Hulls final : public Approximator {
@@ -224,6 +230,12 @@ FOAM_PLUGIN("approximate", "1.0", "Apache-2.0") {
              "Larsen, Gottschalk, Lin, Manocha: Fast proximity queries with swept sphere volumes. ICRA "
              "2000",
              with_common({}, "excess"), {Kind::swept_box}));
+    enrol.add<Ellipsoids>(info("approximate.ellipsoids",
+                               "Covering ellipsoids with the least excess volume: parts between planes, the least "
+                               "ellipsoid around each; proved.",
+                               "Todd and Yıldırım: On Khachiyan's algorithm for the computation of minimum-volume "
+                               "enclosing ellipsoids. Discrete Applied Mathematics 155, 2007",
+                               with_common({}, "excess"), {Kind::ellipsoid}));
     enrol.add<Cylinders>(info("approximate.cylinders",
                               "Covering cylinders with the least excess volume: parts between planes, the least "
                               "cylinder around each; proved.",
@@ -246,7 +258,7 @@ FOAM_PLUGIN("approximate", "1.0", "Apache-2.0") {
                           "Thiery, Guy, Boubekeur: Sphere-Meshes. ACM Transactions on Graphics 32, 2013",
                           with_common({foam::Parameter::text("kinds", "sphere, capsule, cylinder, box")
                                            .doc("The kinds of elements to choose from: sphere, capsule, cylinder, box, "
-                                                "swept_box, hull.")},
+                                                "swept_box, hull, ellipsoid.")},
                                       "mean_protrusion"),
-                          {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull}));
+                          foam::every_kind()));
 }

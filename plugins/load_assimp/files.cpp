@@ -1,4 +1,4 @@
-#include "files.hpp"
+#include "scene.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

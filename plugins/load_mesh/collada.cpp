@@ -1,9 +1,7 @@
 // COLLADA 1.4.1 and 1.5: the geometries that the nodes of the scene show, in metres.
 //
 // RViz and the planners of ROS do not turn COLLADA coordinates: the unit is applied, the up-axis is not.
-#include "collada_colours.hpp"
-#include "collada_geometry.hpp"
-#include "collada_node.hpp"
+#include "collada.hpp"
 #include "readers.hpp"
 
 #include <fmt/format.h>

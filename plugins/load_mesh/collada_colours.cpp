@@ -1,6 +1,6 @@
-#include "collada_colours.hpp"
+#include "collada.hpp"
 
-#include "colour.hpp"
+#include "part.hpp"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "collada_document.hpp"
+#include "collada.hpp"
 
 #include <foam/base/text.hpp>
 #include <fmt/format.h>

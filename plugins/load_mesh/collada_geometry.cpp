@@ -1,5 +1,5 @@
 // COLLADA 1.4.1 and 1.5, chapter 5 "Geometry".
-#include "collada_geometry.hpp"
+#include "collada.hpp"
 
 #include <fmt/format.h>
 

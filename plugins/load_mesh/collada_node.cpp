@@ -1,4 +1,4 @@
-#include "collada_node.hpp"
+#include "collada.hpp"
 
 #include <fmt/format.h>
 

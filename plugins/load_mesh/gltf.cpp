@@ -1,8 +1,6 @@
 // glTF 2.0: the meshes that the nodes of the scene show, in metres; the up-axis (y) is not turned, as with COLLADA.
-#include "colour.hpp"
-#include "gltf_accessor.hpp"
-#include "gltf_container.hpp"
-#include "gltf_extensions.hpp"
+#include "gltf.hpp"
+#include "part.hpp"
 #include "readers.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
-#include "gltf_accessor.hpp"
+#include "gltf.hpp"
 
-#include "base64.hpp"
 #include "builder.hpp"
 
 #include <foam/base/cancellation.hpp>

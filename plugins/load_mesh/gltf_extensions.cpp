@@ -1,4 +1,4 @@
-#include "gltf_extensions.hpp"
+#include "gltf.hpp"
 
 #include <fmt/format.h>
 

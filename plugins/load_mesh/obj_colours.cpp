@@ -1,6 +1,6 @@
-#include "obj_colours.hpp"
+#include "readers.hpp"
 
-#include "colour.hpp"
+#include "part.hpp"
 
 #include <foam/base/file.hpp>
 

@@ -4,6 +4,11 @@
 #include "builder.hpp"
 #include "text.hpp"
 
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
 namespace foam::load_mesh {
 
 /// Reads STL, binary or text. Binary coordinates are 32-bit, so neither loses digits.
@@ -22,5 +27,9 @@ void read_gltf(const Source& source, MeshBuilder& builder, Context& context);
 
 /// Calls the reader for the file's extension. Throws for other extensions.
 void read_any(const Source& source, MeshBuilder& builder, Context& context);
+
+/// Returns the diffuse colours (Kd, d), 0xRRGGBBAA, of the materials in the files that an OBJ names in its folder; none
+/// of a file that cannot be read.
+std::map<std::string, std::uint32_t, std::less<>> obj_colours(const Source& obj);
 
 } // namespace foam::load_mesh

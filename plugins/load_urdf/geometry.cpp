@@ -1,4 +1,4 @@
-#include "geometry.hpp"
+#include "reader.hpp"
 
 #include <foam/base/text.hpp>
 
@@ -16,22 +16,22 @@ double positive(const xml::Element& element, std::string_view attribute, const R
     return value;
 }
 
-Primitive read_box(const xml::Element& element, const Reader& reader) {
+foam::Element read_box(const xml::Element& element, const Reader& reader) {
     reader.required(element, "size");
     const Vec3 size = *reader.vector(element, "size");
     if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
         reader.fail(element, "<box size> must be above 0 along x, y and z");
     }
-    return {.kind = Primitive::Kind::box, .size = size};
+    return foam::Element::box(size);
 }
 
-Primitive read_capsule(const xml::Element& element, const Reader& reader) {
+foam::Element read_capsule(const xml::Element& element, const Reader& reader) {
     const double radius = positive(element, "radius", reader);
     const double length = reader.required_number(element, "length");
     if (length < 0) {
         reader.fail(element, "<capsule length> must not be negative");
     }
-    return {.kind = Primitive::Kind::capsule, .radius = radius, .length = length};
+    return foam::Element::capsule(radius, length);
 }
 
 MeshReference read_mesh(const xml::Element& element, const Reader& reader) {
@@ -52,19 +52,23 @@ Geometry read_shape(const xml::Element& shape, const Reader& reader) {
         return read_box(shape, reader);
     }
     if (shape.name == "sphere") {
-        return Primitive{.kind = Primitive::Kind::sphere,
-                         .radius = reader.lenient() ? reader.required_number(shape, "radius")
-                                                    : positive(shape, "radius", reader)};
+        return foam::Element::sphere(reader.lenient() ? reader.required_number(shape, "radius")
+                                                      : positive(shape, "radius", reader));
     }
     if (shape.name == "cylinder") {
-        return Primitive{.kind = Primitive::Kind::cylinder,
-                         .radius = positive(shape, "radius", reader),
-                         .length = positive(shape, "length", reader)};
+        const double radius = positive(shape, "radius", reader);
+        return foam::Element::cylinder(radius, positive(shape, "length", reader));
     }
     if (shape.name == "capsule") {
         return read_capsule(shape, reader);
     }
-    reader.fail(shape, fmt::format("unknown geometry <{}>; known: box, capsule, cylinder, mesh, sphere", shape.name));
+    if (shape.name == "drake:ellipsoid") { // Drake's extension of the format
+        const double a = positive(shape, "a", reader), b = positive(shape, "b", reader);
+        return foam::Element::ellipsoid({a, b, positive(shape, "c", reader)});
+    }
+    reader.fail(shape, fmt::format("unknown geometry <{}>; known: box, capsule, cylinder, mesh, sphere, "
+                                   "drake:ellipsoid",
+                                   shape.name));
 }
 
 } // namespace

@@ -1,6 +1,4 @@
-#include "link.hpp"
-
-#include "geometry.hpp"
+#include "reader.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/text.hpp>

@@ -1,6 +1,4 @@
-#include "model.hpp"
-
-#include "link.hpp"
+#include "reader.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/text.hpp>

@@ -1,8 +1,6 @@
 // load.urdf: URDF files (http://wiki.ros.org/urdf/XML). Numbers are read from the XML itself, alike in every locale.
 // urdfdom checks the model too, so that the user learns here and not later in ROS that it refuses the model.
-#include "model.hpp"
-#include "second_opinion.hpp"
-#include "sphere_reader.hpp"
+#include "reader.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/sdk/plugin.hpp>

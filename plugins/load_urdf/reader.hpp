@@ -1,13 +1,16 @@
-// Typed access to the attributes of URDF elements. Every error has file and line.
+// URDF: its elements as links, geometry and the model; what another parser thinks of it; spheres in it.
 #pragma once
 
 #include <foam/geometry/vector.hpp>
-
+#include <foam/robot/robot.hpp>
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/plugin.hpp>
 #include <foam/xml/document.hpp>
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::urdf {
 
@@ -45,5 +48,38 @@ private:
 
 /// Returns whether the text has an expression that xacro has not replaced: "${...}" or "$(...)".
 bool is_xacro_expression(std::string_view text);
+
+/// Returns the element with its pose and geometry; mesh paths are not resolved yet. Supports all shapes of the URDF
+/// specification, and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Fails on anything else, and on sizes
+/// that give no solid.
+GeometryElement read_geometry_element(const xml::Element& element, const Reader& reader);
+
+/// Returns the materials of <robot> and of visuals, whose names others may use before them.
+std::map<std::string, Material> materials_by_name(const xml::Element& root);
+/// Returns the link; a visual that cannot be read is left out with a warning.
+Link read_link(const xml::Element& element, const std::map<std::string, Material>& materials, const Reader& reader,
+               Context& context);
+
+/// Returns the links and joints of <robot>, checked to be one tree; mesh paths are not resolved yet. `name`: for a
+/// robot without one.
+Robot read_robot(const xml::Element& root, const std::string& name, const Reader& reader, Context& context);
+
+/// Returns urdfdom's messages on links, joints and inertias; empty if it accepts the model. It does not get the
+/// geometry: it does not support capsules and refuses geometry that foam reads, and foam checks geometry itself.
+std::vector<std::string> complaints_of_urdfdom(std::string_view text, const xml::Element& root);
+
+class SphereReader final : public ModelReader {
+public:
+    SphereReader(const Parameters& parameters, const StageMaker& maker);
+    bool recognises(std::string_view text) const override;
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const override;
+
+private:
+    void read_link(const Link& link, SphereFile& result, Context& context) const;
+    std::optional<Element> read_hull(const MeshReference& mesh, std::string& why, Context& context) const;
+
+    std::unique_ptr<RobotLoader> loader_;
+    std::unique_ptr<MeshLoader> meshes_; ///< null if no plugin has it
+};
 
 } // namespace foam::urdf

@@ -1,4 +1,4 @@
-#include "second_opinion.hpp"
+#include "reader.hpp"
 
 #include <console_bridge/console.h>
 #include <urdf_model/model.h>

@@ -1,4 +1,4 @@
-#include "sphere_reader.hpp"
+#include "reader.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -39,8 +39,8 @@ void SphereReader::read_link(const Link& link, SphereFile& result, Context& cont
     std::set<std::string> left_out;
     Elements elements;
     for (const GeometryElement& collision : link.collisions) {
-        if (const auto* primitive = std::get_if<Primitive>(&collision.geometry)) {
-            elements.add(element_of(*primitive, collision.origin));
+        if (const auto* primitive = std::get_if<Element>(&collision.geometry)) {
+            elements.add(moved(*primitive, collision.origin));
             continue;
         }
         std::string why;

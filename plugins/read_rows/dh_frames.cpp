@@ -1,4 +1,4 @@
-#include "dh_frames.hpp"
+#include "rows.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,8 +1,4 @@
-#include "clean.hpp"
-
-#include "fans.hpp"
-#include "nesting.hpp"
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/error.hpp>
 

@@ -1,9 +1,7 @@
-#include "facing.hpp"
-
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <algorithm>

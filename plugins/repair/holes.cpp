@@ -1,6 +1,4 @@
-#include "holes.hpp"
-
-#include "open_sides.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -1,8 +1,7 @@
-#include "junctions.hpp"
-
-#include "open_sides.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
 
@@ -92,6 +91,22 @@ std::size_t join_t_junctions(Mesh& mesh, double tolerance) {
         }
     }
     return splits;
+}
+
+std::vector<OpenSide> open_sides(const Mesh& mesh) {
+    std::vector<std::uint32_t> alone;
+    for_each_edge(sides_by_edge(mesh.triangles, mesh.vertices.size()), [&](std::span<const Side> edge) {
+        if (edge.size() == 1) {
+            alone.push_back(edge[0].number);
+        }
+    });
+    std::sort(alone.begin(), alone.end());
+    std::vector<OpenSide> open;
+    for (const std::uint32_t side : alone) {
+        const Triangle& t = mesh.triangles[side / 3];
+        open.push_back({t[side % 3], t[(side % 3 + 1) % 3], side / 3, side % 3});
+    }
+    return open;
 }
 
 } // namespace foam::repair

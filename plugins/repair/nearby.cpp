@@ -1,4 +1,4 @@
-#include "nearby.hpp"
+#include "octree.hpp"
 
 #include <foam/base/parallel.hpp>
 

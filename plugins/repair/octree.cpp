@@ -1,6 +1,6 @@
 #include "octree.hpp"
 
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

@@ -1,17 +1,23 @@
-// The octree over the triangles (Huang, Su, Guibas 2018, section 3.1). Cells that contain a piece of the surface are
-// split, all to the same depth. Cells without surface keep their size.
+// A mesh rebuilt from voxels: octree, surface, projection to the input.
 #pragma once
+
+#include "soup.hpp"
 
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/sdk/context.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace foam::repair {
+
+// The octree over the triangles (Huang, Su, Guibas 2018, section 3.1). Cells that contain a piece of the surface are
+// split, all to the same depth. Cells without surface keep their size.
 
 /// Coordinates of a cell of the finest level; the root spans [0, 2^depth) along each axis.
 using Cell = std::array<std::int32_t, 3>;
@@ -70,5 +76,81 @@ void fill_openings(Octree& octree, const Solid& solid, Context& context);
 
 /// Marks as outside every empty leaf that is connected to the space beyond the root across faces of empty leaves.
 void flood_from_outside(Octree& octree);
+
+/// Two triangles that share a diagonal: a face of a cell.
+struct Quad {
+    std::array<std::uint32_t, 4> corners;
+    std::uint32_t first_triangle; ///< and the one after it
+};
+
+struct VoxelSurface {
+    Mesh mesh;                            ///< in the octree's unit cube
+    std::vector<Quad> quads;              ///< faces whose diagonal may be changed
+    std::vector<std::vector<Cell>> cells; ///< of each vertex: the solid cells whose faces meet there
+};
+
+/// Returns the surface. Solid cells are joined across faces only. Where two of them touch in an edge or a corner, each
+/// gets its own vertices. An edge that occurs twice gets a midpoint for each occurrence, so that no two edges have the
+/// same ends.
+VoxelSurface voxel_surface(const Octree& octree, Context& context);
+
+/// The point of the input nearest to a vertex.
+struct Foot {
+    Vec3 point;
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+/// For every vertex the triangles of the input in the solid cells around it: its own cells and those joined to them
+/// across faces, among the eight cells at the vertex. Triangles behind a pinch do not count.
+class Nearby {
+public:
+    Nearby(const Mesh& input, const VoxelSurface& surface, const Octree& octree);
+
+    bool none(std::uint32_t vertex) const { return lists_[vertex].empty(); }
+    /// Returns the closest point on the triangles near `vertex`. Precondition: there are some.
+    Foot closest(std::uint32_t vertex, const Vec3& p) const;
+    /// Returns whether the segment passes through a triangle near `vertex`.
+    bool is_crossed(std::uint32_t vertex, const Vec3& a, const Vec3& b) const;
+
+private:
+    /// A triangle and its bounding ball, to skip distant triangles.
+    struct Item {
+        Corners corners;
+        Vec3 center;
+        double radius;
+    };
+
+    void collect(std::uint32_t vertex, const VoxelSurface& surface, const Octree& octree);
+
+    std::vector<Item> items_;
+    std::vector<std::vector<std::uint32_t>> lists_;
+};
+
+struct ProjectOptions {
+    /// The distances of vertices from the surface of a solid and from a sheet without inside, in cells.
+    double off_solids = 0, off_sheets = 0;
+    int rounds = 10; ///< of smoothing and projection
+};
+
+/// Moves the vertices of `surface` to just outside of the input, whose inside `solid` determines. A vertex never passes
+/// through a triangle of the input, so both sides of a thin sheet stay on their sides. No move inverts a triangle.
+/// Returns the share of the vertices over sheets.
+double project(VoxelSurface& surface, const Nearby& nearby, const Solid& solid, double cell,
+               const ProjectOptions& options, Context& context);
+
+/// Removes intersections. `mesh` is `voxels` with its vertices projected to the input. Vertices of triangles that
+/// intersect move back towards their voxel positions, by halves and finally completely, until no triangles intersect:
+/// the faces of voxels never do. Returns the number of vertices that moved back.
+std::size_t untangle(Mesh& mesh, const Mesh& voxels, Context& context);
+
+struct RebuildOptions {
+    std::size_t leaves = 0; ///< least number of occupied cells of the octree
+    bool fill_openings =
+        false; ///< the inside of a mesh with holes is solid, too, not only what flood fill cannot reach
+};
+
+/// Returns a closed, outward, 2-manifold surface around the triangles of `mesh`; cavities are filled. Precondition: at
+/// least one triangle with an area.
+Mesh rebuilt(const Mesh& mesh, const RebuildOptions& options, Context& context);
 
 } // namespace foam::repair

@@ -1,6 +1,6 @@
-#include "project.hpp"
+#include "octree.hpp"
 
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/parallel.hpp>
 

@@ -1,10 +1,6 @@
-#include "rebuild.hpp"
-
 #include "octree.hpp"
-#include "project.hpp"
-#include "triangle.hpp"
-#include "untangle.hpp"
-#include "voxel_surface.hpp"
+
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

@@ -1,10 +1,5 @@
 #include "soup.hpp"
 
-#include "facing.hpp"
-#include "holes.hpp"
-#include "junctions.hpp"
-#include "weld.hpp"
-
 #include <fmt/format.h>
 
 namespace foam::repair {

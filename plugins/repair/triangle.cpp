@@ -1,4 +1,4 @@
-#include "triangle.hpp"
+#include "soup.hpp"
 
 namespace foam::repair {
 

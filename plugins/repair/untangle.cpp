@@ -1,6 +1,6 @@
-#include "untangle.hpp"
+#include "octree.hpp"
 
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "voxel_surface.hpp"
+#include "octree.hpp"
 
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 

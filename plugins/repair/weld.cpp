@@ -1,6 +1,4 @@
-#include "weld.hpp"
-
-#include "triangle.hpp"
+#include "soup.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -2,7 +2,7 @@
 #include "collapse.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>

@@ -109,11 +109,10 @@ foam::Parameter volume_tolerance() {
 } // namespace
 } // namespace foam::smooth
 
-FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
-    using foam::Parameter;
-    using foam::smooth::max_move;
-    using foam::smooth::volume_tolerance;
-    enrol.add<foam::smooth::LaplacianFilter>(
+namespace foam::smooth {
+
+static void add_laplacian(foam::Enrolment& enrol) {
+    enrol.add<LaplacianFilter>(
         {.name = "smooth.laplacian",
          .summary = "Moves every vertex towards the mean of its neighbours; shrinks the mesh.",
          .reference = "Taubin: A Signal Processing Approach to Fair Surface Design, SIGGRAPH 1995, section 3",
@@ -137,7 +136,10 @@ FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
                  volume_tolerance(),
              },
          .extensions = {}});
-    enrol.add<foam::smooth::TaubinFilter>(
+}
+
+static void add_taubin(foam::Enrolment& enrol) {
+    enrol.add<TaubinFilter>(
         {.name = "smooth.taubin",
          .summary = "Laplacian steps that shrink and swell by turns: noise goes, the volume stays.",
          .reference = "Taubin: A Signal Processing Approach to Fair Surface Design, SIGGRAPH 1995, section 3",
@@ -164,7 +166,10 @@ FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
                  volume_tolerance(),
              },
          .extensions = {}});
-    enrol.add<foam::smooth::HumphreyFilter>(
+}
+
+static void add_humphrey(foam::Enrolment& enrol) {
+    enrol.add<HumphreyFilter>(
         {.name = "smooth.humphrey",
          .summary = "Laplacian smoothing that pushes vertices back towards where they came from; hardly shrinks.",
          .reference = "Vollmer, Mencl, Müller: Improved Laplacian Smoothing of Noisy Surface Meshes, Eurographics 1999",
@@ -189,4 +194,12 @@ FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
                  volume_tolerance(),
              },
          .extensions = {}});
+}
+
+} // namespace foam::smooth
+
+FOAM_PLUGIN("smooth", "1.0", "Apache-2.0") {
+    foam::smooth::add_laplacian(enrol);
+    foam::smooth::add_taubin(enrol);
+    foam::smooth::add_humphrey(enrol);
 }

@@ -1,4 +1,4 @@
-#include "weights.hpp"
+#include "smoothing.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -15,7 +15,7 @@ struct Settings {
 
 /// Returns initial spheres where the runtime fits them: near ones are enough, so the fastest are used.
 foam::SphereTree starts_of_fit(const foam::Shape& shape, std::size_t count, foam::Context& context) {
-    foam::Cover cover = foam::spherize(
+    foam::SphereCover cover = foam::spherize(
         shape.original(), count, {.effort = foam::Effort::fast, .seed = context.seed(), .stop = [] { return true; }});
     return foam::flat_tree(std::move(cover.spheres));
 }
@@ -50,12 +50,12 @@ private:
         context_ = &context;
         if (!covers_) {
             covers_ = std::make_unique<foam::CoverSearch>(
-                shape_.original(), foam::SpherizeOptions{.effort = settings_.effort,
+                shape_.original(), foam::CoverOptions{.effort = settings_.effort,
                                                          .objective = settings_.objective,
                                                          .seed = context.seed(),
                                                          .stop = [this] { return context_->cancelled(); }});
         }
-        return foam::flat_tree(covers_->cover(count).spheres);
+        return foam::flat_tree(covers_->cover(count).elements);
     }
 
     const foam::Shape& shape_;

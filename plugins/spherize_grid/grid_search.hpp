@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace foam::spherize_grid {
@@ -52,5 +53,54 @@ Cell quick(const Cell& cell);
 
 /// Returns the ball of each cell.
 std::vector<Sphere> balls_of(const std::vector<Cell>& cells);
+
+/// Divides the cells of a grid into halves, quarters or eighths, always where that saves most of the union's volume per
+/// additional sphere. For rising numbers of spheres it continues from its last state.
+class Refinement {
+public:
+    explicit Refinement(const Grid& start);
+    ~Refinement();
+    /// Returns at most `most` cells, or those of the start. Depends only on the start and `most`, not on earlier calls.
+    /// Precondition: `most` is at least that of the calls before.
+    Grid at(std::size_t most, Context& context);
+
+private:
+    struct Part;
+    struct Leaf;
+    struct Choice;
+    using Leaves = std::vector<Leaf>;
+    static void measure(Leaves& leaves);
+    static Choice best_choice(const Leaves& leaves, std::size_t room);
+    static void divide(Leaves& leaves, const Choice& choice);
+
+    Leaves leaves_; // as far as the divisions are the same for every larger number
+};
+
+/// Keeps grids and their refinements. The solid must outlive it.
+class Search {
+public:
+    /// Prepares the search. `refine`: grids with fewer cells than allowed are divided further.
+    Search(const Solid& solid, Cell::Content content, bool refine);
+
+    /// Returns the whole solid, undivided.
+    const Cell& whole() const { return whole_; }
+    /// Returns the division into at most `most` cells whose balls have the least union volume: the best grid or, with
+    /// refinement, the best of the refined grids with 1, 2, 3, 4, 6, 8, 12, 16, 24, … cells. As these numbers do not
+    /// depend on `most`, more spheres never have more excess volume. Depends only on `most`, not on earlier calls.
+    Grid best(std::size_t most, Context& context);
+
+private:
+    const Grid& grid(std::size_t most, Context& context);
+
+    bool refine_;
+    Cell whole_, rough_;
+    Axes principal_;
+    std::map<std::size_t, Grid> grids_;
+    struct Growth {
+        std::unique_ptr<Refinement> refinement;
+        std::size_t most = 0; // largest count so far
+    };
+    std::map<std::size_t, Growth> growths_;
+};
 
 } // namespace foam::spherize_grid

@@ -1,7 +1,5 @@
 // spherize.grid: balls around the cells of an oriented grid.
 #include "grid_search.hpp"
-#include "refinement.hpp"
-#include "search.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

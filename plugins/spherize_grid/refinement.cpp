@@ -1,4 +1,4 @@
-#include "refinement.hpp"
+#include "grid_search.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>

@@ -2,7 +2,7 @@
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <map>
 #include <set>

@@ -3,15 +3,38 @@
 // solid, which is the cost that all searches of this plugin minimise.
 #pragma once
 
-#include "frame.hpp"
-
+#include <foam/geometry/mesh.hpp>
 #include <foam/geometry/solid.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/sdk/context.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace foam::medial {
+
+// A normalised frame for each shape: origin at its middle, axes along its principal directions, size 1. All work of
+// this plugin takes place in it, so that a part of 0.1 µm, a part far from the origin and an inclined part are all the
+// same.
+
+struct Frame {
+    Vec3 origin;              ///< m, link frame
+    std::array<Vec3, 3> axes; ///< unit; the last is the direction of least extent
+    double scale = 1;         ///< m per unit
+
+    Vec3 to_local(const Vec3& p) const;
+    Vec3 to_world(const Vec3& p) const;
+    Vec3 direction_to_world(const Vec3& v) const { return axes[0] * v.x + axes[1] * v.y + axes[2] * v.z; }
+    /// Returns the sphere in the link frame, with its radius rounded up by what the change of coordinates may lose.
+    Sphere sphere_to_world(const Sphere& sphere) const;
+};
+
+/// Returns the principal axes by the second moments of the surface; the coordinate axes where the moments are
+/// undetermined. The largest extent of the surface becomes 1. Throws Error(geometry) if the surface has no extent or is
+/// too large to compute with.
+Frame principal_frame(const Mesh& surface);
 
 /// A part of a column, along the third axis of the local frame.
 struct Segment {
@@ -62,5 +85,11 @@ private:
     std::vector<std::uint32_t> offsets_;
     std::vector<Segment> segments_;
 };
+
+/// Returns at most `count` balls inside the solid about some of the centres, each as large as possible. One after
+/// another the ball with most points of a lattice that no ball contains yet (greedy maximum coverage; Nemhauser, Wolsey
+/// and Fisher 1978: at least 1 - 1/e of the maximum). Local frame. Empty if no centre is inside.
+std::vector<Sphere> inner_balls(const Solid& solid, const Frame& frame, const Columns& columns,
+                                std::span<const Sphere> centers, std::size_t count, Context& context);
 
 } // namespace foam::medial

@@ -1,7 +1,7 @@
-#include "cover_points.hpp"
+#include "stock.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "reduction.hpp"
+#include "optimise.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 

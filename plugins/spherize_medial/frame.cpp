@@ -1,4 +1,4 @@
-#include "frame.hpp"
+#include "columns.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/parameter.hpp>

@@ -1,4 +1,4 @@
-#include "inner_balls.hpp"
+#include "columns.hpp"
 
 #include <foam/base/parallel.hpp>
 

@@ -1,4 +1,4 @@
-#include "medial_axis.hpp"
+#include "stock.hpp"
 
 #include <foam/base/cancellation.hpp>
 

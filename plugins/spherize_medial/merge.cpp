@@ -1,4 +1,4 @@
-#include "reduction.hpp"
+#include "optimise.hpp"
 
 #include <algorithm>
 #include <queue>

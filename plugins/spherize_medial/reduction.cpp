@@ -1,8 +1,9 @@
-#include "reduction.hpp"
+#include "optimise.hpp"
 
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
+#include <numbers>
 
 namespace foam::medial {
 
@@ -85,6 +86,74 @@ std::vector<Sphere> fitted(std::span<const Vec3> points, std::vector<Sphere> bal
         best = balls;
     }
     return best.empty() ? balls : best;
+}
+
+std::vector<Sphere> balance(std::span<const Vec3> points, std::vector<Sphere> balls, double excess,
+                            const Columns& columns, Context& context) {
+    double volume = columns.volume();
+    if (!(volume > 0)) { // a solid without volume: relative to its balls
+        for (const Sphere& ball : balls) {
+            volume += 4.0 / 3.0 * std::numbers::pi * ball.radius * ball.radius * ball.radius;
+        }
+    }
+    double cost = columns.outside(balls);
+    while (balls.size() > 1) {
+        std::vector<Sphere> fewer = burst(points, balls, balls.size() - 1, columns, context);
+        fewer = fitted(points, std::move(fewer), columns, 4);
+        const double next = columns.outside(fewer);
+        if (next > cost + excess * volume) {
+            break;
+        }
+        cost = std::min(cost, next);
+        balls = std::move(fewer);
+    }
+    return balls;
+}
+
+namespace {
+
+struct Removal {
+    double cost = std::numeric_limits<double>::infinity();
+    std::vector<Sphere> balls;
+};
+
+/// Returns the balls without `gone`. Its points go to the balls that they lie outside of least; these become the
+/// enclosing balls of their points.
+Removal without(std::size_t gone, std::span<const Sphere> balls, const std::vector<std::vector<Vec3>>& groups,
+                const Columns& columns) {
+    Removal result;
+    result.balls.assign(balls.begin(), balls.end());
+    result.balls.erase(result.balls.begin() + static_cast<std::ptrdiff_t>(gone));
+    const auto owner = assign(groups[gone], result.balls);
+    const auto moved = grouped(groups[gone], owner, result.balls.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        if (!moved[i].empty()) {
+            std::vector<Vec3> points = groups[i < gone ? i : i + 1];
+            points.insert(points.end(), moved[i].begin(), moved[i].end());
+            result.balls[i] = minimum_enclosing_sphere(points);
+        }
+    }
+    result.cost = columns.outside(result.balls);
+    return result;
+}
+
+} // namespace
+
+std::vector<Sphere> burst(std::span<const Vec3> points, std::vector<Sphere> balls, std::size_t count,
+                          const Columns& columns, Context& context) {
+    while (balls.size() > count) {
+        context.check_cancelled();
+        const auto groups = grouped(points, assign(points, balls), balls.size());
+        Removal best;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            Removal removal = without(i, balls, groups, columns);
+            if (removal.cost < best.cost || best.balls.empty()) {
+                best = std::move(removal);
+            }
+        }
+        balls = std::move(best.balls);
+    }
+    return balls;
 }
 
 } // namespace foam::medial

@@ -1,4 +1,4 @@
-#include "settings.hpp"
+#include "stock.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "spawn.hpp"
+#include "optimise.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "stock.hpp"
 
-#include "spawn.hpp"
+#include "optimise.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "uncovered.hpp"
+#include "optimise.hpp"
 
 #include <foam/base/cancellation.hpp>
 

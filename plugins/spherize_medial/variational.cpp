@@ -1,7 +1,6 @@
 #include "optimise.hpp"
-#include "reduction.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // write.csv: one sphere per row, "link,x,y,z,radius". Where there are other elements, one element per row, with its
-// kind, its edges or its length along z, and its rotation by rows. Quoting of RFC 4180; lines end with "\n".
+// kind, its edges, its length along z or its diameters, and its rotation by rows. Quoting of RFC 4180; lines end with "\n".
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -142,6 +142,13 @@ std::string element_row(const std::string& name, const Element& element) {
     return text + '\n';
 }
 
+/// Returns all kinds but the hull, which no row holds.
+std::vector<Element::Kind> kinds_of_rows() {
+    std::vector<Element::Kind> kinds = every_kind();
+    std::erase(kinds, Element::Kind::hull);
+    return kinds;
+}
+
 class CsvWriter final : public Writer {
 public:
     explicit CsvWriter(const Parameters& parameters) : level_(static_cast<int>(parameters.integer("level"))) {}
@@ -228,8 +235,7 @@ FOAM_PLUGIN("write_csv", "1.0", "Apache-2.0") {
                             .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                             .source("The finest level is the one that is measured and proved.")},
          .extensions = {"csv"},
-         .kinds = {foam::Element::Kind::sphere, foam::Element::Kind::capsule, foam::Element::Kind::cylinder,
-                   foam::Element::Kind::box, foam::Element::Kind::swept_box}});
+         .kinds = foam::kinds_of_rows()});
     enrol.add<foam::CsvModelReader>({.name = "read.csv",
                                      .summary = "Reads the table of write.csv: spheres, or elements of several kinds.",
                                      .reference = "RFC 4180",

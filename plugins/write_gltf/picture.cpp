@@ -2,11 +2,10 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/geometry/measure_names.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/uncovered.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <algorithm>
 

@@ -5,7 +5,8 @@
 //                element sphere: x, y, z, radius, link
 //
 // Elements of other kinds are the rows of a last element `other`: link, kind (0 sphere, 1 capsule, 2 cylinder, 3 box, 4
-// swept box, 5 hull) and a list of numbers: position, rotation by rows, length or edges, radius, or corners.
+// swept box, 5 hull, 6 ellipsoid) and a list of numbers: position, rotation by rows, length or edges, radius, half axes,
+// or corners.
 //
 // `link` is an index into the "comment link INDEX NAME" lines; control characters and % in names are percent-encoded
 // there.
@@ -58,17 +59,10 @@ std::string sphere_rows(const std::vector<LinkSpheres>& links) {
 
 /// Returns the names of the numbers of a kind, and how many each has; 0: the rest.
 std::vector<std::pair<std::string, std::size_t>> columns_of(Element::Kind kind) {
-    using Kind = Element::Kind;
     std::vector<std::pair<std::string, std::size_t>> columns{{"position", 3}, {"rotation", 9}};
-    if (kind == Kind::capsule || kind == Kind::cylinder) {
-        columns.emplace_back("length", 1);
-    } else if (kind == Kind::box || kind == Kind::swept_box) {
-        columns.emplace_back("size", 3);
-    }
-    if (kind == Kind::hull) {
-        columns.emplace_back("vertices", 0);
-    } else if (kind != Kind::box) {
-        columns.emplace_back("radius", 1);
+    for (const std::string_view name : number_names(kind)) {
+        const bool three = name == "size" || name == "radii";
+        columns.emplace_back(name, name == "vertices" ? 0 : three ? 3 : 1);
     }
     return columns;
 }

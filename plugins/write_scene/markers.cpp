@@ -1,12 +1,10 @@
-#include "markers.hpp"
-
-#include "placement.hpp"
+#include "scene.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/yaml/write.hpp>
 

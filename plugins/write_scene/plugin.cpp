@@ -1,7 +1,5 @@
 // Spheres as objects of MoveIt's world (.scene) and as markers of ROS: write.* and read.*.
-#include "markers.hpp"
 #include "scene.hpp"
-#include "worlds.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/elements.hpp>
@@ -104,9 +102,9 @@ public:
 } // namespace
 } // namespace foam::scene
 
-FOAM_PLUGIN("write_scene", "1.0", "Apache-2.0") {
-    using namespace foam::scene;
-    using foam::Parameter;
+namespace foam::scene {
+
+static void add_scenes_of_ros(foam::Enrolment& enrol) {
     const std::string moveit = "https://github.com/moveit/moveit2, planning_scene.cpp: loadGeometryFromStream";
     const std::string markers = "https://docs.ros.org/en/rolling/p/visualization_msgs/msg/Marker.html";
     enrol.add<SceneWriter>(
@@ -143,6 +141,9 @@ FOAM_PLUGIN("write_scene", "1.0", "Apache-2.0") {
          .summary = "Reads the markers of a MarkerArray of ROS as YAML that are convex elements, by frame.",
          .reference = markers,
          .extensions = {"yaml", "yml"}});
+}
+
+static void add_worlds_of_planners(foam::Enrolment& enrol) {
     const std::string curobo = "https://github.com/NVlabs/curobo, curobo/_src/geom/types.py";
     const std::string vamp = "https://github.com/KavrakiLab/vamp, src/vamp/__init__.py: problem_dict_to_vamp";
     enrol.add<CuroboSceneWriter>(
@@ -173,4 +174,11 @@ FOAM_PLUGIN("write_scene", "1.0", "Apache-2.0") {
          .summary = "Reads the spheres, capsules and boxes of a problem of VAMP.",
          .reference = vamp,
          .extensions = {"json"}});
+}
+
+} // namespace foam::scene
+
+FOAM_PLUGIN("write_scene", "1.0", "Apache-2.0") {
+    foam::scene::add_scenes_of_ros(enrol);
+    foam::scene::add_worlds_of_planners(enrol);
 }

@@ -4,7 +4,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>

@@ -1,11 +1,9 @@
-#include "worlds.hpp"
-
-#include "placement.hpp"
+#include "scene.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -2,10 +2,9 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 
@@ -51,10 +50,17 @@ std::string geometry_text(const Element& element, const std::string& hull) {
         return "<box><size>" + vector_text(element.half * 2) + "</size></box>";
     case Element::Kind::hull:
         return "<mesh><uri>" + markup_escaped(hull) + "</uri></mesh>";
-    default: // SDF's length, too, is without caps
-        return fmt::format("<{0}><radius>{1}</radius><length>{2}</length></{0}>", to_string(element.kind),
-                           number_text(element.radius), number_text(2 * element.half.z));
+    case Element::Kind::ellipsoid:
+        return "<ellipsoid><radii>" + vector_text(element.half) + "</radii></ellipsoid>";
+    case Element::Kind::sphere:
+    case Element::Kind::swept_box: // in_known_kinds() leaves none
+    case Element::Kind::capsule:
+    case Element::Kind::cylinder:
+        break;
     }
+    // SDF's length, too, is without caps.
+    return fmt::format("<{0}><radius>{1}</radius><length>{2}</length></{0}>", to_string(element.kind),
+                           number_text(element.radius), number_text(2 * element.half.z));
 }
 
 std::string collision_text(std::size_t index, const Element& element, const std::string& hull) {

@@ -2,7 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
@@ -136,12 +136,10 @@ private:
                            .radius = number_in(shape, "radius")};
         }
         if (shape.name == "box") {
-            const Node* size = shape.child("size");
-            const std::vector<double> values = size ? numbers(*size) : std::vector<double>{};
-            if (values.size() != 3) {
-                fail(size ? *size : shape, "a box needs a <size> of three numbers");
-            }
-            return Element{.kind = Kind::box, .half = Vec3{values[0], values[1], values[2]} * 0.5};
+            return Element::box(three_in(shape, "size"));
+        }
+        if (shape.name == "ellipsoid") {
+            return Element::ellipsoid(three_in(shape, "radii"));
         }
         return shape.name == "mesh" ? read_hull(shape) : std::nullopt;
     }
@@ -199,6 +197,16 @@ private:
         }
         const double unit = degrees && (*degrees == "true" || *degrees == "1") ? std::numbers::pi / 180 : 1;
         return Pose::from_xyz_rpy(place, Vec3{v[3], v[4], v[5]} * unit);
+    }
+
+    Vec3 three_in(const Node& shape, std::string_view name) const {
+        const Node* element = shape.child(name);
+        const std::vector<double> values = element ? numbers(*element) : std::vector<double>{};
+        if (values.size() != 3) {
+            fail(element ? *element : shape, fmt::format("a{} {} needs a <{}> of three numbers",
+                                                         shape.name.starts_with('e') ? "n" : "", shape.name, name));
+        }
+        return {values[0], values[1], values[2]};
     }
 
     double number_in(const Node& shape, std::string_view name) const {

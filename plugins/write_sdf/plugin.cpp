@@ -11,6 +11,7 @@ namespace {
 class SdfWriter final : public Writer {
 public:
     explicit SdfWriter(const Parameters& parameters) : static_(parameters.boolean("static")) {
+        known_.ellipsoids = true;
         known_.segments = segments_of(parameters, "write.sdf");
     }
 

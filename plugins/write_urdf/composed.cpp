@@ -1,11 +1,10 @@
 #include "composed.hpp"
 
-#include "shapes.hpp"
+#include "sphere_urdf.hpp"
 
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 
@@ -29,8 +28,8 @@ std::string origin_text(const Pose& pose) {
 }
 
 std::string geometry_text(const Geometry& geometry) {
-    if (const auto* primitive = std::get_if<Primitive>(&geometry)) {
-        return shape_text(element_of(*primitive, {}), {});
+    if (const auto* primitive = std::get_if<Element>(&geometry)) {
+        return shape_text(*primitive, {});
     }
     const auto& mesh = std::get<MeshReference>(geometry);
     return fmt::format("<mesh{}{}/>", attribute_of("filename", mesh.uri),

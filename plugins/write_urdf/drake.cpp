@@ -1,8 +1,8 @@
-#include "drake.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

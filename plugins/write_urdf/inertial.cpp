@@ -1,7 +1,7 @@
-#include "inertial.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/text.hpp>
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <fmt/format.h>
 

@@ -5,10 +5,7 @@
 // exceptions: paths of the remaining meshes and textures (visuals, links without spheres), and what parameters add.
 //
 // write.vamp: the same for VAMP, whose planner takes every joint that is not fixed as its own.
-#include "drake.hpp"
-#include "inertial.hpp"
 #include "sphere_urdf.hpp"
-#include "vamp.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/sdk/plugin.hpp>
@@ -28,6 +25,7 @@ public:
           drake_(parameters.boolean("drake")),
           proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {
         known_.capsules = parameters.text("capsules") == "element";
+        known_.ellipsoids = drake_;
         known_.segments = segments_of(parameters, "write.urdf");
     }
 

@@ -1,4 +1,4 @@
-#include "references.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/file.hpp>
 #include <foam/base/text.hpp>

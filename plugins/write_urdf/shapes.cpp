@@ -1,9 +1,9 @@
-#include "shapes.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 
@@ -71,6 +71,10 @@ std::optional<Element> read_shape(const xml::Element& shape, const std::map<std:
                        .half = {0, 0, read_number(shape, "length") / 2},
                        .radius = read_number(shape, "radius")};
     }
+    if (shape.name == "drake:ellipsoid") {
+        return Element{.kind = Kind::ellipsoid,
+                       .half = {read_number(shape, "a"), read_number(shape, "b"), read_number(shape, "c")}};
+    }
     return shape.name == "mesh" ? read_hull(shape, beside) : std::nullopt;
 }
 
@@ -86,6 +90,10 @@ std::string shape_text(const Element& element, const UrdfWords& words) {
     }
     if (element.kind == Kind::box) {
         return "<box size=\"" + three_numbers(element.half * 2) + "\"/>";
+    }
+    if (element.kind == Kind::ellipsoid) {
+        return fmt::format("<drake:ellipsoid a=\"{}\" b=\"{}\" c=\"{}\"/>", number_text(element.half.x),
+                           number_text(element.half.y), number_text(element.half.z));
     }
     return fmt::format("<{} radius=\"{}\" length=\"{}\"/>", element.kind == Kind::capsule ? words.capsule : "cylinder",
                        number_text(element.radius), number_text(2 * element.half.z));

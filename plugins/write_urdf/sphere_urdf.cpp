@@ -1,11 +1,10 @@
 #include "sphere_urdf.hpp"
 
 #include "composed.hpp"
-#include "references.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

@@ -1,24 +1,79 @@
 // The robot's URDF text with spheres in place of its collision geometry: what the writers of this plugin share.
 #pragma once
 
-#include "shapes.hpp"
-
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/elements.hpp>
+#include <foam/sdk/model.hpp>
+#include <foam/sdk/plugin.hpp>
 #include <foam/sdk/stage.hpp>
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace foam {
 
+/// The words for what plain URDF lacks.
+struct UrdfWords {
+    std::string capsule = "capsule"; ///< of URDF 1.1; Drake: "drake:capsule"
+    bool declares_convex = false;    ///< Drake: meshes are said to be convex
+    std::string properties{};        ///< elements that each <collision> gets besides
+};
+
+/// Returns the numbers with blanks between them, each with all its digits.
+std::string three_numbers(const Vec3& v);
+
+/// Returns the shape of an element that is centred at its origin: a sphere, box, cylinder or capsule.
+std::string shape_text(const Element& element, const UrdfWords& words);
+
+/// Returns the <collision> elements of a link's elements. `uri_of_hull`: the reference to the mesh of the next hull, as
+/// text for an attribute.
+std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
+                                            const std::function<std::string()>& uri_of_hull);
+
+/// Adds the element of a <collision> as another program computes it; meshes are looked up in `beside`, others left out.
+/// Throws Error(output) for numbers that are none.
+void add_collision(const xml::Element& collision, const std::map<std::string, std::string>& beside,
+                   Elements& elements);
+
+/// The file name of a <mesh> or <texture>.
+struct Reference {
+    std::string path; ///< as written
+    xml::Span span;   ///< of the attribute's value in the text
+};
+
+/// Returns all of them in the order of the text, except those in the <collision> elements of the links `replaced`.
+std::vector<Reference> references_of(std::string_view text, const xml::Element& robot,
+                                     const std::set<std::string>& replaced);
+
+/// What becomes of references in another file, and what is to be said of them.
+struct MovedReferences {
+    std::vector<Reference> moved; ///< with their new paths
+    std::vector<std::pair<Severity, std::string>> messages;
+};
+
+/// Returns the references that change, as `mesh_paths` says: rewrite, keep, absolute or package.
+MovedReferences moved_references(const std::vector<Reference>& references, const std::string& mesh_paths,
+                                 const SphereModel& model);
+
+/// Returns the reference to a file beside the one that is written, as `mesh_paths` says: relative, absolute or package.
+/// `name`: relative to the folder of the written file. Logs where a package was asked for and there is none.
+std::string uri_of_beside(const std::string& name, const std::string& mesh_paths, const SphereModel& model,
+                          Context& context);
+
+/// Returns the value for an attribute, in any quotes and in the encoding of the text.
+std::string attribute_text(std::string_view value, std::string_view text);
+
 /// A URDF text that is being changed.
 class SphereUrdf {
 public:
-    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its
-    /// name, for messages. The model must outlive it.
+    /// A robot without URDF text gets one. Throws Error(output) if only the names of its links are known. `writer`: its name, for messages. The model must outlive it.
     SphereUrdf(const SphereModel& model, std::string writer);
 
     const std::string& writer() const { return writer_; }
@@ -63,5 +118,52 @@ std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
 
 /// The parameter of the writers for move_references().
 Parameter mesh_paths_parameter();
+
+/// The links that get an <inertial> if they lack it.
+enum class InertialOf {
+    none,
+    moving, ///< those between which and the root a joint moves
+    all,    ///< Gazebo drops every link without
+};
+
+/// Adds the mass, centre and inertia of the original collision geometry at a density, kg/m³. Logs which links got one,
+/// and which did not.
+void add_inertials(SphereUrdf& urdf, InertialOf which, double density, Context& context);
+
+// What Drake reads of a URDF beyond other programs: pairs of links that need no check, and properties of contact.
+// Parsing: RobotLocomotion/drake 018bf81c12, multibody/parsing/detail_urdf_geometry.cc; 007f5fc932, detail_common.cc.
+
+/// Declares Drake's namespace in the <robot>, if it is not there.
+void declare_drake(SphereUrdf& urdf);
+/// Adds a group for each link of an ignored pair, with the groups that it ignores.
+void add_collision_filter_groups(SphereUrdf& urdf, Context& context);
+/// Returns <drake:proximity_properties>; empty if both are 0.
+std::string proximity_properties(double mu_static, double mesh_resolution_hint);
+
+/// Turns locked joints, what mimics them, and planar and floating joints to fixed ones where they stand; continuous
+/// joints to revolute ones from -π to π. Throws Error(output) for a joint that mimics one that is planned, and if no
+/// joint is left to plan.
+void fix_joints(SphereUrdf& urdf, Context& context);
+
+// Robots of VAMP: the sphere URDF, the SRDF and the job that cricket compiles to VAMP's code.
+// Parsing: CoMMALab/cricket a2ad9d6db7 and 0a1eff2513, src/fkcc_gen.cc; output for KavrakiLab/vamp f6de6a72e0.
+
+class VampWriter final : public Writer {
+public:
+    VampWriter(const Parameters& parameters, const StageMaker& maker);
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
+    std::string companion(const std::string& ending, const SphereModel& model, Context& context) const override;
+
+private:
+    std::string srdf(const SphereModel& model, Context& context) const;
+    std::string job(const SphereModel& model) const;
+
+    std::string mesh_paths_, name_, templates_, language_;
+    std::int64_t resolution_;
+    std::unique_ptr<Writer> srdf_; ///< write.srdf; null if no plugin has it
+};
+
+StageInfo info_of_vamp();
 
 } // namespace foam

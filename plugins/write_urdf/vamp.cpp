@@ -1,11 +1,8 @@
-#include "vamp.hpp"
-
 #include "sphere_urdf.hpp"
-#include "vamp_joints.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
-#include "vamp_joints.hpp"
+#include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

@@ -1,12 +1,10 @@
 #include "layer.hpp"
 
-#include "prim_names.hpp"
-
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 

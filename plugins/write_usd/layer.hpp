@@ -3,10 +3,75 @@
 
 #include <foam/sdk/elements.hpp>
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam::usd {
+
+/// Returns whether a prim can have that name: letters, digits and '_', no digit at the beginning.
+bool is_identifier(std::string_view name);
+/// Returns the name with '_' in place of what an identifier cannot hold, as TfMakeValidIdentifier() and importers do.
+std::string identifier(std::string_view name);
+
+/// Names of prims for links: the links' own where these are identifiers, else similar ones; no two are equal.
+std::map<std::string, std::string> prim_names(const std::vector<std::string>& links);
+
+/// A pattern of prim paths such as "/World/{robot}/{link}".
+class PathPattern {
+public:
+    /// Throws Error(output) naming the pattern, for what gives no paths or not one for each link.
+    PathPattern(const std::string& pattern, const std::string& robot, bool many_links);
+
+    /// Returns the parts of the path above the first that depends on the link.
+    const std::vector<std::string>& above() const { return above_; }
+    /// Returns the other parts. `prim_name`: of prim_names().
+    std::vector<std::string> below(const std::string& prim_name) const;
+    /// Returns "/World/panda/link0".
+    std::string path(const std::string& prim_name) const;
+
+private:
+    std::vector<std::string> above_, below_;
+};
+
+struct Token {
+    enum class Kind { end, word, text, reference, sign }; ///< word: also numbers; reference: @…@ and <…>
+    Kind kind = Kind::end;
+    std::string value; ///< of a text: without quotes and escapes
+    int line = 0;      ///< 1-based
+
+    bool is(char sign) const { return kind == Kind::sign && value[0] == sign; }
+    bool opens() const { return is('(') || is('[') || is('{'); }
+    bool closes() const { return is(')') || is(']') || is('}'); }
+};
+
+/// Returns the tokens of a text one after the other, without comments.
+class Tokens {
+public:
+    Tokens(std::string_view text, std::string file);
+
+    /// Returns the token at the current place; does not move.
+    const Token& now() const { return now_; }
+    /// Returns the current token and moves to the next.
+    Token take();
+    /// Moves behind the sign that closes the current opening one.
+    void skip_group();
+    /// Throws Error(input) with the place of the current token.
+    [[noreturn]] void fail(const std::string& why) const;
+
+private:
+    void skip_blanks();
+    void advance();
+    std::string quoted();
+    char escaped();
+    std::string_view until(std::string_view end, const std::string& what);
+
+    std::string_view rest_;
+    std::string file_;
+    int line_ = 1;
+    Token now_;
+};
 
 /// Parameters of write.usd.
 struct LayerOptions {

@@ -1,11 +1,10 @@
 // Reads the spheres of layers that layer_text() wrote. Other statements of USD are skipped, so that an edited layer can
 // be read; transforms of other prims are not followed.
 #include "layer.hpp"
-#include "tokens.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "prim_names.hpp"
+#include "layer.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,4 +1,4 @@
-#include "tokens.hpp"
+#include "layer.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,7 +1,6 @@
-#include "attributes.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 
 #include <fmt/format.h>

@@ -1,19 +1,13 @@
 // The traps of MuJoCo's parser are named where they are met; docs: doc/XMLreference.rst (a7255075b0).
 #include "mjcf.hpp"
 
-#include "attributes.hpp"
-#include "mjcf_edit.hpp"
-#include "mjcf_shapes.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/mass.hpp>
-#include <foam/geometry/rotation.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/vector.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/sdk/planning.hpp>
-#include <foam/sdk/uncovered.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
@@ -103,8 +97,7 @@ MassProperties of_spheres(const std::vector<Sphere>& spheres, double density) {
 std::optional<MassProperties> of_elements(const Elements& elements, double density) {
     std::vector<Solid::Part> parts;
     for (const Sphere& s : elements.spheres()) {
-        parts.push_back(
-            {nullptr, Primitive{.kind = Primitive::Kind::sphere, .radius = s.radius}, Pose{.translation = s.center}});
+        parts.push_back({nullptr, Element::sphere(s.radius), Pose{.translation = s.center}});
     }
     for (const Element& element : elements.shaped()) {
         parts.push_back({std::make_shared<const Mesh>(enclosing_mesh(element)), std::nullopt, Pose{}});
@@ -203,12 +196,12 @@ private:
             }
             bool meshes = false;
             for (const GeometryElement& geometry : link->collisions) {
-                const auto* primitive = std::get_if<Primitive>(&geometry.geometry);
+                const auto* primitive = std::get_if<Element>(&geometry.geometry);
                 meshes = meshes || !primitive;
                 if (!primitive) {
                     continue;
                 }
-                elements_[name].add(element_of(*primitive, geometry.origin));
+                elements_[name].add(moved(*primitive, geometry.origin));
             }
             if (meshes) {
                 context_.log(Severity::warning,
@@ -401,6 +394,7 @@ std::string contact_text(const SphereModel& model) {
 MjcfWriter::MjcfWriter(const Parameters& parameters)
     : free_(parameters.text("base") == "free"), density_(parameters.number("density")),
       replaces_collision_(parameters.boolean("collision")), pairs_(pair_edit(parameters)) {
+    known_.ellipsoids = true;
     known_.segments = segments_of(parameters, "write.mjcf");
 }
 

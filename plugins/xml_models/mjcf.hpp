@@ -1,11 +1,112 @@
-// MJCF, the format of MuJoCo: a body for each link, its spheres as geoms, its joint and inertia, pairs as <exclude>.
+// Models in XML: MJCF with its geoms and edits, SRDF.
 #pragma once
 
+#include <foam/geometry/element.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/model.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
+#include <foam/xml/document.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace foam::xml_models {
+
+/// Returns the numbers with blanks between them; each reads back to the same double.
+std::string numbers_text(std::span<const double> numbers);
+std::string vector_text(const Vec3& v);
+/// Returns ` name="value"`, escaped.
+std::string attribute_text(std::string_view name, std::string_view value);
+
+/// Returns the numbers of an attribute. Throws Error(input) naming file and line if it is absent or holds something
+/// else; `count`: their number, 0 for any number but none.
+std::vector<double> numbers_of(const xml::Element& element, std::string_view attribute, std::size_t count,
+                               const std::string& file);
+/// Returns an attribute's text. Throws Error(input) if it is absent.
+const std::string& required(const xml::Element& element, std::string_view attribute, const std::string& file);
+
+/// Returns a comment line with the text; empty for an empty text.
+std::string comment_text(std::string_view text);
+
+/// Writes geoms, and the mesh assets of their hulls.
+class MjcfShapes {
+public:
+    /// `first`: number of the first mesh, whose name is "foam_hull_FIRST".
+    explicit MjcfShapes(std::size_t first = 1) : next_(first) {}
+
+    /// Returns ` type=… size=… pos=… quat=…`, the attributes of the geom of an element of a kind that MJCF knows.
+    std::string attributes(const Element& element);
+    /// Returns the `<mesh …/>` of the hulls so far. Their corners stand in the file: there is no other file to lose.
+    const std::vector<std::string>& meshes() const { return meshes_; }
+
+private:
+    std::size_t next_;
+    std::vector<std::string> meshes_;
+};
+
+/// What a name of a mesh of foam begins with.
+constexpr const char* hull_prefix = "foam_hull_";
+
+struct MjcfGeom {
+    const xml::Element* geom = nullptr;
+    const xml::Element* body = nullptr; ///< or the <worldbody>
+    /// The element that states each attribute: itself or the <geom> of a class.
+    std::map<std::string, const xml::Element*, std::less<>> stated;
+
+    /// Returns the text of an attribute; nullptr if it is stated nowhere.
+    const std::string* text(std::string_view attribute) const;
+    /// Whether it is a sphere: a geom without type is one, unless a mesh says otherwise.
+    bool sphere() const;
+    bool collides() const; ///< contype or conaffinity is not 0
+};
+
+/// Returns the geoms in the order of the file. Throws Error(input) for a default class that does not exist.
+std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file);
+
+/// Returns the name of a body: "world" for the <worldbody>, "" for one without a name.
+std::string name_of_body(const xml::Element& body);
+
+/// Makes elements of geoms as MuJoCo's compiler does.
+class MjcfElements {
+public:
+    /// Throws Error(input) for settings of the compiler that are no numbers.
+    MjcfElements(const xml::Element& root, const std::filesystem::path& file);
+    /// Returns the element of a geom; nothing with a reason for what is no convex element. Of meshes MuJoCo takes the
+    /// convex hull. Throws Error(input) naming file and line.
+    std::optional<Element> element_of(const MjcfGeom& geom, std::string& why) const;
+
+private:
+    std::vector<double> numbers(const MjcfGeom& geom, std::string_view attribute, std::size_t least) const;
+    Pose pose_of(const MjcfGeom& geom) const;
+    std::optional<Element> between(const MjcfGeom& geom, Element element) const;
+    std::optional<Element> hull_of_mesh(const std::string& name, std::string& why) const;
+
+    std::filesystem::path file_;
+    std::map<std::string, const xml::Element*> meshes_;
+    bool degrees_ = true;
+    std::string eulerseq_ = "xyz", mesh_folder_;
+};
+
+struct MjcfReplacement {
+    bool all_collision = false;                         ///< also other geoms with contact than spheres
+    PairEdit pairs = PairEdit::keep;                    ///< what happens to the <exclude> elements
+    std::optional<std::vector<IgnoredPair>> found = {}; ///< SphereModel::ignored_pairs
+};
+
+/// Returns the file with the spheres of the bodies called like the links replaced; every other byte stays. New geoms
+/// take over the class of the first one that they replace. Throws Error(input) if the file is not MJCF or lacks a body.
+std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& links, const MjcfReplacement& what,
+                         Context& context);
+
+/// Returns ` <exclude body1=… body2=…/>` of a pair, without the blank.
+std::string exclude_text(const IgnoredPair& pair);
 
 class MjcfWriter final : public Writer {
 public:
@@ -23,6 +124,22 @@ private:
 };
 
 class MjcfReader final : public ModelReader {
+public:
+    bool recognises(std::string_view text) const override;
+    SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const override;
+};
+
+class SrdfWriter final : public Writer {
+public:
+    explicit SrdfWriter(const Parameters& parameters);
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
+
+private:
+    PairEdit pairs_; ///< in a file of the user
+};
+
+class SrdfReader final : public ModelReader {
 public:
     bool recognises(std::string_view text) const override;
     SphereFile read(const std::string& text, const std::filesystem::path& file, Context& context) const override;

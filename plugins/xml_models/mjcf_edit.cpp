@@ -1,12 +1,8 @@
-#include "mjcf_edit.hpp"
-
-#include "attributes.hpp"
-#include "mjcf_geoms.hpp"
-#include "mjcf_shapes.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
 

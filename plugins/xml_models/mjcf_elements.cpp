@@ -1,11 +1,10 @@
 // Sizes and places of geoms as MuJoCo's compiler computes them (src/user/user_objects.cc: mjCGeom, mjCOrientation).
-#include "attributes.hpp"
-#include "mjcf_geoms.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
 
 #include <fmt/format.h>
@@ -150,9 +149,11 @@ std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::strin
         element.pose = pose_of(geom);
         return element;
     }
-    if (type == "box" && !geom.text("fromto")) {
+    if ((type == "box" || type == "ellipsoid") && !geom.text("fromto")) {
         const std::vector<double> half = numbers(geom, "size", 3);
-        return Element{.kind = Kind::box, .pose = pose_of(geom), .half = {half[0], half[1], half[2]}};
+        return Element{.kind = type == "box" ? Kind::box : Kind::ellipsoid,
+                       .pose = pose_of(geom),
+                       .half = {half[0], half[1], half[2]}};
     }
     why = shown(type);
     return {};

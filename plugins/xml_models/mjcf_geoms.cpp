@@ -1,10 +1,15 @@
-#include "mjcf_geoms.hpp"
+#include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/geometry/mesh.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
+#include <set>
 
 namespace foam::xml_models {
 namespace {
@@ -99,6 +104,85 @@ std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file
 std::string name_of_body(const xml::Element& body) {
     const std::string* name = body.attribute("name");
     return name ? *name : body.name == "worldbody" ? "world" : "";
+}
+
+namespace {
+
+using Kind = Element::Kind;
+
+std::string pose_attributes(const Pose& pose, const std::array<double, 4>& quat) {
+    return attribute_text("pos", vector_text(pose.translation)) +
+           (pose.rotation == Pose{}.rotation ? "" : attribute_text("quat", numbers_text(quat)));
+}
+
+/// Throws for a hull whose mesh MuJoCo refuses ("mesh volume is too small").
+void require_volume(const Element& hull) {
+    constexpr double least = 1e-14; // m³; mjMINVAL is 1e-15
+    if (signed_volume(hull.hull->surface) < least) {
+        throw Error(ErrorCode::output, "write.mjcf: MuJoCo refuses a hull with a volume of less than 1e-14 m³; remedy: "
+                                       "another kind of element for this link, or other units");
+    }
+}
+
+} // namespace
+
+std::string MjcfShapes::attributes(const Element& element) {
+    if (element.kind == Kind::hull) {
+        require_volume(element);
+        const std::string name = hull_prefix + std::to_string(next_++);
+        std::string corners;
+        for (const Vec3& p : element.hull->surface.vertices) {
+            corners += (corners.empty() ? "" : " ") + vector_text(p);
+        }
+        meshes_.push_back("<mesh" + attribute_text("name", name) + attribute_text("vertex", corners) + "/>");
+        return attribute_text("type", "mesh") + attribute_text("mesh", name) +
+               attribute_text("pos", vector_text(element.pose.translation));
+    }
+    const std::array<double, 4> quat = quaternion(element.pose); // w x y z, as MuJoCo's
+    const Element stated = stated_at(element, from_quaternion(element.pose.translation, quat));
+    const bool by_half = stated.kind == Kind::box || stated.kind == Kind::ellipsoid; // half the edges, or the half axes
+    const std::string size =
+        by_half ? vector_text(stated.half) : numbers_text(std::array{stated.radius, stated.half.z});
+    return attribute_text("type", to_string(stated.kind)) + attribute_text("size", size) +
+           pose_attributes(element.pose, quat);
+}
+
+bool MjcfReader::recognises(std::string_view text) const {
+    return xml::root_name(text) == "mujoco";
+}
+
+SphereFile MjcfReader::read(const std::string& text, const std::filesystem::path& file, Context&) const {
+    const auto root = xml::parse(text, file.string(), ErrorCode::input);
+    SphereFile result;
+    result.file = file;
+    result.format = "MJCF";
+    if (root->name != "mujoco") {
+        throw Error(ErrorCode::input,
+                    fmt::format("{}:{}: <{}> is not <mujoco>", file.string(), root->line, root->name));
+    }
+    const MjcfElements elements(*root, file);
+    std::size_t others = 0, visual = 0;
+    std::set<std::string> reasons;
+    for (const MjcfGeom& geom : geoms_of(*root, file.string())) {
+        std::string why;
+        if (!geom.collides()) {
+            ++visual;
+        } else if (const auto element = elements.element_of(geom, why)) {
+            link_of(result, name_of_body(*geom.body)).elements.add(*element);
+        } else {
+            ++others;
+            reasons.insert(why);
+        }
+    }
+    if (others > 0) {
+        result.notes.push_back(fmt::format("{} geom{} no convex element ({}) and left out", others,
+                                           others == 1 ? " is" : "s are", fmt::join(reasons, ", ")));
+    }
+    if (visual > 0) {
+        result.notes.push_back(
+            fmt::format("{} geom{} without contact and left out", visual, visual == 1 ? " is" : "s are"));
+    }
+    return result;
 }
 
 } // namespace foam::xml_models

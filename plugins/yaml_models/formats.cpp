@@ -1,4 +1,4 @@
-#include "formats.hpp"
+#include "tree_writer.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "map_writers.hpp"
+#include "writers.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

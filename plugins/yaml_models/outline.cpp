@@ -1,4 +1,4 @@
-#include "outline.hpp"
+#include "writers.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Robot files of planners: cuRobo, XRDF, Lula.
-#include "planner_writers.hpp"
+#include "writers.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

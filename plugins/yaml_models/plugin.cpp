@@ -1,8 +1,6 @@
 // Sphere models in YAML and JSON: read.* and write.*.
-#include "formats.hpp"
-#include "map_writers.hpp"
-#include "outline.hpp"
-#include "planner_writers.hpp"
+#include "tree_writer.hpp"
+#include "writers.hpp"
 
 #include <foam/sdk/plugin.hpp>
 
@@ -25,8 +23,9 @@ public:
 } // namespace
 } // namespace foam::tree
 
-FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
-    using namespace foam::tree;
+namespace foam::tree {
+
+static void add_readers(foam::Enrolment& enrol) {
     enrol.add<TreeReader<Format::foam_json, read_foam_json>>(
         {.name = "read.foam_json",
          .summary = "Reads the JSON of write.json with layout: links.",
@@ -62,6 +61,10 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
          .summary = "Reads the JSON of CoMMALab/foam: the levels of one mesh, or the database of a robot.",
          .reference = "Coumar et al. 2025, https://github.com/CoMMALab/foam",
          .extensions = {"json"}});
+}
+
+/// Formats of NVIDIA's planners.
+static void add_writers_of_nvidia(foam::Enrolment& enrol) {
     using foam::Parameter;
     enrol.add<CuroboWriter>(
         {.name = "write.curobo",
@@ -105,6 +108,9 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
              "https://docs.isaacsim.omniverse.nvidia.com/5.0.0/manipulators/manipulators_robot_description_editor.html",
          .extensions = {"yaml"},
          .consumer = {.name = "Lula (Isaac Sim 5)", .float32 = true, .rest_pose = true, .edits = true}});
+}
+
+static void add_other_writers(foam::Enrolment& enrol) {
     enrol.add<BubblifyWriter>(
         {.name = "write.bubblify",
          .summary = "Writes collision_spheres by link, as bubblify and cuRobo's sphere files have it.",
@@ -128,4 +134,12 @@ FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
                               .reference = "https://github.com/HIRO-group/MorphIt-1",
                               .extensions = {"json"},
                               .consumer = {.name = "MorphIt (46cf8b0fb5)"}});
+}
+
+} // namespace foam::tree
+
+FOAM_PLUGIN("yaml_models", "1.0", "Apache-2.0") {
+    foam::tree::add_readers(enrol);
+    foam::tree::add_writers_of_nvidia(enrol);
+    foam::tree::add_other_writers(enrol);
 }

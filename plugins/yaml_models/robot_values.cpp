@@ -1,4 +1,4 @@
-#include "robot_values.hpp"
+#include "tree_writer.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -1,4 +1,4 @@
-#include "tree.hpp"
+#include "tree_writer.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -24,7 +24,7 @@ from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 if TYPE_CHECKING:
     from ._adapters import from_trimesh
     from ._batch import BatchEntry, read_batch
-    from ._cover import ConvexCover, Cover, ProvedElement, approximate, proved_least, spheres_inside, spherize, spherize_each
+    from ._cover import Cover, ProvedElement, approximate, cover, proved_least, spheres_inside, spherize, spherize_each
     from ._judge import certify, describe, evaluate, plugins, self_collision, stages
     from ._mesh import Mesh, read_mesh
     from ._model import SphereModel, read_spheres
@@ -44,7 +44,6 @@ _HOMES = {
     "from_trimesh": "_adapters",
     "BatchEntry": "_batch",
     "Certificate": "_results",
-    "ConvexCover": "_cover",
     "Cover": "_cover",
     "Evaluation": "_results",
     "Event": "_runs",
@@ -57,6 +56,7 @@ _HOMES = {
     "SelfCollision": "_results",
     "SphereModel": "_model",
     "approximate": "_cover",
+    "cover": "_cover",
     "certify": "_judge",
     "check": "_runs",
     "describe": "_judge",
@@ -134,7 +134,6 @@ __all__ = [
     "BatchEntry",
     "Cancelled",
     "Certificate",
-    "ConvexCover",
     "Cover",
     "Error",
     "Evaluation",
@@ -151,6 +150,7 @@ __all__ = [
     "SphereModel",
     "UsageError",
     "approximate",
+    "cover",
     "ProvedElement",
     "proved_least",
     "certify",

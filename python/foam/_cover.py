@@ -1,4 +1,4 @@
-"""Spheres of a mesh: foam.spherize() and its relatives."""
+"""Elements that cover a mesh or points: foam.cover(), and its names for the usual choices."""
 
 from __future__ import annotations
 
@@ -9,26 +9,57 @@ from typing import Any, Iterable, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _core
+from . import _arrays, _core
 from ._mesh import Mesh, mesh_of
 from .errors import UsageError
 
 _MOST_SPHERES = 1_000_000
 
 
-class _Covering:
-    """What all covers of a mesh have: the proof and the volumes."""
+class Cover:
+    """Convex elements that cover a mesh or points, with the proof.
 
-    __slots__ = ("certified", "volume", "_mesh", "_volumes")
+    Equal covers have equal elements. Covers can be pickled.
+    """
 
+    __slots__ = ("spheres", "certified", "volume", "_others", "_region", "_volumes")
+
+    spheres: NDArray[np.float64]  #: the spheres among the elements: (n, 4) float64, read-only: x, y, z, r in metres
     certified: bool  #: whether the whole surface is proved to be covered
-    volume: float  #: of the union of what covers, m³
+    volume: float  #: of the union of the elements, m³
 
-    def __init__(self, certified: bool, volume: float, mesh: Mesh | None, volumes: tuple[float, float] | None):
+    def __init__(
+        self,
+        spheres: Any,
+        others: list[dict[str, Any]],
+        certified: bool,
+        volume: float,
+        region: Mesh | None,
+        volumes: tuple[float, float] | None = None,
+    ):
+        self.spheres = np.asarray(spheres)
+        self.spheres.flags.writeable = False
         self.certified = certified
         self.volume = volume
-        self._mesh = mesh
+        self._others = others
+        self._region = region
         self._volumes = volumes
+
+    @property
+    def elements(self) -> list[dict[str, Any]]:
+        """All elements, spheres first; the dictionaries are those of SphereModel.elements()."""
+        spheres = [{"kind": "sphere", "position": tuple(row[:3]), "radius": row[3]} for row in self.spheres.tolist()]
+        return [*spheres, *self._others]
+
+    @property
+    def centers(self) -> NDArray[np.float64]:
+        """The centres of the spheres: (n, 3), metres; a view of `spheres`."""
+        return self.spheres[:, :3]
+
+    @property
+    def radii(self) -> NDArray[np.float64]:
+        """The radii of the spheres: (n,), metres; a view of `spheres`."""
+        return self.spheres[:, 3]
 
     @property
     def excess(self) -> float:
@@ -48,116 +79,44 @@ class _Covering:
 
     def _measured(self) -> tuple[float, float]:
         if self._volumes is None:
-            assert self._mesh is not None
-            self._volumes = self._volumes_in(self._mesh)
-            self._mesh = None
+            assert self._region is not None
+            if self._others:
+                self._volumes = _core.volumes_of_elements(self._region._core, self.elements)
+            else:
+                self._volumes = _core.volumes_of_spheres(self._region._core, self.spheres, self.volume)
+            self._region = None
         return self._volumes
 
-    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
-        raise NotImplementedError
-
-    def _proof(self) -> str:
-        return "surface certified" if self.certified else "not certified"
-
-
-class Cover(_Covering):
-    """Spheres that cover a mesh, with the proof.
-
-    Equal covers have equal spheres. Covers can be pickled.
-    """
-
-    __slots__ = ("spheres",)
-
-    spheres: NDArray[np.float64]  #: (n, 4) float64, read-only: x, y, z, r in metres, in the mesh's frame
-
-    def __init__(self, spheres: Any, certified: bool, volume: float, mesh: Mesh | None, volumes: tuple[float, float] | None = None):
-        self.spheres = np.asarray(spheres)
-        self.spheres.flags.writeable = False
-        super().__init__(certified, volume, mesh, volumes)
-
-    @property
-    def centers(self) -> NDArray[np.float64]:
-        """The centres: (n, 3), metres; a view of `spheres`."""
-        return self.spheres[:, :3]
-
-    @property
-    def radii(self) -> NDArray[np.float64]:
-        """The radii: (n,), metres; a view of `spheres`."""
-        return self.spheres[:, 3]
-
-    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
-        return _core.volumes_of_spheres(mesh._core, self.spheres, self.volume)
-
     def to_trimesh(self) -> Any:
-        """Return the spheres as one trimesh.Trimesh, for pictures."""
+        """Return the elements as one trimesh.Trimesh, for pictures: spheres as spheres, meshes around the others."""
         from . import _adapters
 
+        if self._others:
+            return _adapters.trimesh_of(Mesh._of(_core.mesh_of_elements(self.elements)))
         return _adapters.trimesh_of(_adapters.mesh_of_spheres(self.spheres))
 
     def __len__(self) -> int:
-        return len(self.spheres)
+        return len(self.spheres) + len(self._others)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Cover):
             return NotImplemented
-        return np.array_equal(self.spheres, other.spheres)
+        return np.array_equal(self.spheres, other.spheres) and self._others == other._others
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Cover, (np.array(self.spheres), self.certified, self.volume, None, self._measured())
+        return Cover, (np.array(self.spheres), self._others, self.certified, self.volume, None, self._measured())
 
     def __repr__(self) -> str:
-        return f"<foam.Cover: {len(self)} spheres, {self._proof()}>"
+        numbers = Counter(["sphere"] * len(self.spheres) + [element["kind"] for element in self._others])
+        kinds = ", ".join(_noun(number, kind) for kind, number in numbers.items())
+        return f"<foam.Cover: {kinds}, {'surface certified' if self.certified else 'not certified'}>"
 
 
-class ConvexCover(_Covering):
-    """Convex elements that cover a mesh, with the proof.
-
-    Equal covers have equal elements. Covers can be pickled.
-    """
-
-    __slots__ = ("elements",)
-
-    elements: list[dict[str, Any]]  #: spheres first; the dictionaries are those of SphereModel.elements()
-
-    def __init__(
-        self,
-        elements: list[dict[str, Any]],
-        certified: bool,
-        volume: float,
-        mesh: Mesh | None,
-        volumes: tuple[float, float] | None = None,
-    ):
-        self.elements = elements
-        super().__init__(certified, volume, mesh, volumes)
-
-    def _volumes_in(self, mesh: Mesh) -> tuple[float, float]:
-        return _core.volumes_of_elements(mesh._core, self.elements)
-
-    def to_trimesh(self) -> Any:
-        """Return meshes around the elements as one trimesh.Trimesh, for pictures."""
-        from . import _adapters
-
-        return _adapters.trimesh_of(Mesh._of(_core.mesh_of_elements(self.elements)))
-
-    def __len__(self) -> int:
-        return len(self.elements)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, ConvexCover):
-            return NotImplemented
-        return self.elements == other.elements
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return ConvexCover, (self.elements, self.certified, self.volume, None, self._measured())
-
-    def __repr__(self) -> str:
-        numbers = Counter(element["kind"] for element in self.elements)
-        kinds = ", ".join(f"{number} {kind}" for kind, number in numbers.items())
-        return f"<foam.ConvexCover: {kinds}, {self._proof()}>"
+def _noun(number: int, kind: str) -> str:
+    noun = kind.replace("_", " ")
+    return f"{number} {noun if number == 1 else noun + ('es' if noun.endswith('x') else 's')}"
 
 
 def _count(elements: Any, what: str = "spheres") -> int:
@@ -183,6 +142,81 @@ def _limit(seconds: Any) -> float | None:
     return limit
 
 
+def _region(region: Any, radii: Any) -> Mesh:
+    """Return what is to be covered: a mesh, or points with radii as a mesh around their balls."""
+    if radii is None:
+        return mesh_of(region).copy()
+    points = _arrays.rows(region, "points")
+    wide = np.broadcast_to(np.asarray(radii, dtype=np.float64), (len(points),))
+    return Mesh._of(_core.mesh_of_balls(np.column_stack([points, wide])))
+
+
+def _covers(
+    region: Any,
+    counts: list[int],
+    kinds: Iterable[str] | str,
+    *,
+    effort: str,
+    objective: str,
+    seed: int = 0,
+    max_vertices: int = 64,
+    axis_aligned: bool = False,
+    time_limit: float | None = None,
+    radii: Any = None,
+) -> list[Cover]:
+    given = _region(region, radii)
+    results = _core.cover_each(
+        given._core, counts, [kinds] if isinstance(kinds, str) else list(kinds), effort, objective, _seed(seed),
+        operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
+    )  # fmt: skip
+    return [Cover(*result, given) for result in results]
+
+
+def cover(
+    region: Any,
+    elements: int,
+    kinds: Iterable[str] | str = "sphere",
+    *,
+    radii: Any = None,
+    effort: str = "normal",
+    objective: str = "excess",
+    seed: int = 0,
+    max_vertices: int = 64,
+    axis_aligned: bool = False,
+    time_limit: float | None = None,
+) -> Cover:
+    """Return at most `elements` convex elements that cover the surface of a mesh, or points with radii, proved.
+
+    The function is that of C++, `foam::cover()`: the result is the same, bit for bit, on any number of threads.
+
+    Args:
+        region: a path, (vertices, faces), or an object with vertices and faces (foam.Mesh, trimesh) or triangles
+            (Open3D); metres, any frame. With `radii`: points, (n, 3).
+        elements: the greatest number of elements, at least 1.
+        kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", one or several.
+        radii: of the points, (n,) or one number, metres: all within them is covered. 0: the points themselves.
+        effort: "fast" (milliseconds), "normal" or "best".
+        objective: what is minimised: "excess" (volume outside the region), "protrusion", "mean_protrusion", or for
+            spheres alone "radius".
+        seed: of the search for spheres.
+        max_vertices: of a hull, at least 4.
+        axis_aligned: boxes have the axes of the region's frame.
+        time_limit: seconds; the best elements by then, certified like any others, but not the same in each call. The
+            first elements are always waited for: some milliseconds, a second for tens of thousands of spheres.
+
+    Raises:
+        InputError: the mesh cannot be read; its arrays have another shape, numbers that are not finite, indices out
+            of range.
+        GeometryError: the mesh has no triangle; there is no point.
+        UsageError: an option is wrong; there is no such kind.
+        KeyboardInterrupt: Ctrl-C ends the search.
+    """
+    return _covers(
+        region, [_count(elements, "elements")], kinds, radii=radii, effort=effort, objective=objective, seed=seed,
+        max_vertices=max_vertices, axis_aligned=axis_aligned, time_limit=time_limit,
+    )[0]  # fmt: skip
+
+
 def spherize(
     mesh: Any,
     spheres: int,
@@ -192,32 +226,10 @@ def spherize(
     seed: int = 0,
     time_limit: float | None = None,
 ) -> Cover:
-    """Return at most `spheres` spheres that cover the surface of a mesh, proved.
-
-    The function is that of C++, `foam::spherize()`: the result is the same, bit for bit, on any number of threads.
-
-    Args:
-        mesh: a path, (vertices, faces), or an object with vertices and faces (foam.Mesh, trimesh) or triangles
-            (Open3D); metres, any frame.
-        spheres: the greatest number of spheres, at least 1.
-        effort: "fast" (milliseconds), "normal" or "best".
-        objective: what is minimised: "excess" (volume outside the mesh), "protrusion" or "radius".
-        seed: of the search.
-        time_limit: seconds; the best spheres by then, certified like any others, but not the same in each call. The
-            first spheres are always waited for: some milliseconds, a second for tens of thousands of spheres.
-
-    Raises:
-        InputError: the mesh cannot be read; its arrays have another shape, numbers that are not finite, indices out
-            of range.
-        GeometryError: the mesh has no triangle.
-        UsageError: an option is wrong.
-        KeyboardInterrupt: Ctrl-C ends the search.
-    """
-    given = mesh_of(mesh)
-    rows, certified, volume = _core.spherize(
-        given._core, _count(spheres), effort, objective, _seed(seed), _limit(time_limit)
-    )
-    return Cover(rows, certified, volume, given.copy())
+    """Return at most `spheres` spheres that cover the surface of a mesh, proved: cover() for spheres alone."""
+    return _covers(
+        mesh, [_count(spheres)], "sphere", effort=effort, objective=objective, seed=seed, time_limit=time_limit
+    )[0]
 
 
 def spherize_each(
@@ -233,11 +245,10 @@ def spherize_each(
 
     More spheres are never worse by the objective.
     """
-    given = mesh_of(mesh)
-    results = _core.spherize_each(
-        given._core, [_count(count) for count in counts], effort, objective, _seed(seed), _limit(time_limit)
-    )
-    return [Cover(*result, given.copy()) for result in results]
+    return _covers(
+        mesh, [_count(count) for count in counts], "sphere", effort=effort, objective=objective, seed=seed,
+        time_limit=time_limit,
+    )  # fmt: skip
 
 
 def approximate(
@@ -250,38 +261,18 @@ def approximate(
     max_vertices: int = 64,
     axis_aligned: bool = False,
     time_limit: float | None = None,
-) -> ConvexCover:
-    """Return at most `elements` convex elements that cover the surface of a mesh, proved.
-
-    The function is that of C++, `foam::approximate()`: the result is the same, bit for bit, on any number of threads.
-
-    Args:
-        mesh: as of spherize().
-        elements: the greatest number of elements, at least 1.
-        kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", one or several.
-        effort: "fast", "normal" or "best".
-        objective: what is minimised: "excess" (volume outside the mesh), "mean_protrusion" or "protrusion".
-        max_vertices: of a hull, at least 4.
-        axis_aligned: boxes have the axes of the mesh's frame.
-        time_limit: seconds; the best elements by then, certified like any others, but not the same in each call.
-
-    Raises:
-        As spherize(). UsageError: there is no such kind.
-    """
-    given = mesh_of(mesh)
-    return ConvexCover(
-        *_core.approximate(
-            given._core, _count(elements, "elements"), [kinds] if isinstance(kinds, str) else list(kinds),
-            effort, objective, operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
-        ),
-        given.copy(),
-    )  # fmt: skip
+) -> Cover:
+    """Return at most `elements` convex elements that cover the surface of a mesh, proved: cover() for other kinds."""
+    return _covers(
+        mesh, [_count(elements, "elements")], kinds, effort=effort, objective=objective, max_vertices=max_vertices,
+        axis_aligned=axis_aligned, time_limit=time_limit,
+    )[0]  # fmt: skip
 
 
 class ProvedElement(NamedTuple):
     """An element around a mesh, and a bound on all elements of its kind around it."""
 
-    element: dict[str, Any]  #: as in ConvexCover.elements
+    element: dict[str, Any]  #: as in Cover.elements
     volume: float  #: of the element, m³
     lower_bound: float  #: m³: no element of the kind that contains the mesh has less volume
 
@@ -292,12 +283,12 @@ def proved_least(mesh: Any, kind: str, *, tolerance: float = 1e-3) -> ProvedElem
     The function is that of C++, `foam::proved_least()`. It takes seconds.
 
     Args:
-        mesh: as of spherize().
+        mesh: as of cover().
         kind: "capsule", "cylinder" or "box".
         tolerance: above 0.
 
     Raises:
-        As spherize(). UsageError: another kind or tolerance. GeometryError: a million cells were not enough.
+        As cover(). UsageError: another kind or tolerance. GeometryError: a million cells were not enough.
     """
     return ProvedElement(*_core.proved_least(mesh_of(mesh)._core, kind, float(tolerance)))
 
@@ -305,6 +296,6 @@ def proved_least(mesh: Any, kind: str, *, tolerance: float = 1e-3) -> ProvedElem
 def spheres_inside(mesh: Any, spheres: int, *, time_limit: float | None = None) -> NDArray[np.float64]:
     """Return at most `spheres` spheres inside a mesh, proved, that contain much of its volume.
 
-    The result has shape (n, 4), read-only: x, y, z, r in metres; n is 0 if no ball fits. Errors as of spherize().
+    The result has shape (n, 4), read-only: x, y, z, r in metres; n is 0 if no ball fits. Errors as of cover().
     """
     return np.asarray(_core.spheres_inside(mesh_of(mesh)._core, _count(spheres), _limit(time_limit)))

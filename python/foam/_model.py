@@ -67,8 +67,8 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
 
         Each has "kind", "position" and what its kind needs, in metres: "radius" of a sphere; "length" (of the axis,
         without caps) and "radius" of a capsule or cylinder along z; "size" of a box; "size" of the inner box and
-        "radius" of a swept_box; "vertices" of a hull. "rotation" has the rows of the matrix from the element's frame to
-        the link's.
+        "radius" of a swept_box; "vertices" of a hull; "radii" (half axes) of an ellipsoid. "rotation" has the rows of the
+        matrix from the element's frame to the link's.
         """
         spheres = [{"kind": "sphere", "position": row[:3].tolist(), "radius": float(row[3])} for row in self[link]]
         return spheres + [dict(element) for element in self._elements.get(link, [])]

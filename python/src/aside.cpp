@@ -1,4 +1,4 @@
-#include "aside.hpp"
+#include "work.hpp"
 
 namespace foam::python {
 namespace {

@@ -1,11 +1,10 @@
 // Figures, proofs and pairs of links, as JSON text.
-#include "aside.hpp"
 #include "robot.hpp"
+#include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/judge/judge_json.hpp>
-#include <foam/recipe/findings_json.hpp>
-#include <foam/recipe/stage_json.hpp>
+#include <foam/recipe/json.hpp>
 #include <foam/runtime/plan.hpp>
 
 #include <nlohmann/json.hpp>

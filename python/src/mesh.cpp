@@ -1,4 +1,4 @@
-#include "mesh.hpp"
+#include "robot.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

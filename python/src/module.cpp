@@ -1,16 +1,31 @@
 // foam._core: what foam/*.py stands on. Arrays come and go by the buffer protocol, so that any NumPy will do.
-#include "errors.hpp"
-#include "mesh.hpp"
-#include "own_stages.hpp"
+#include "module.hpp"
 #include "robot.hpp"
-#include "search.hpp"
-#include "stages.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/judge/evaluate.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <memory>
+
+namespace foam::python {
+
+namespace py = pybind11;
+
+void add_errors(py::module_&) {
+    py::register_local_exception_translator([](std::exception_ptr thrown) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const Error& error) {
+            const py::object made =
+                py::module_::import("foam.errors").attr("error_of")(to_string(error.code()), error.what());
+            PyErr_SetObject(py::type::handle_of(made).ptr(), made.ptr());
+        }
+    });
+}
+
+} // namespace foam::python
 
 PYBIND11_MODULE(_core, module) {
     namespace py = pybind11;

@@ -1,15 +1,17 @@
-// What foam.model, foam.utility and foam.external stand on: single stages on meshes in memory.
+// What foam.model, foam.utility, foam.external and foam.bench stand on: single stages on meshes in memory.
 #include "robot.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/directions.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/resource.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -88,6 +90,32 @@ py::list levels_by(const HeldMesh& mesh, const HeldMesh* processed, const Regist
     return list;
 }
 
+/// Returns the mesh of a file by a loader with parameters.
+std::shared_ptr<HeldMesh> loaded_by(const std::filesystem::path& file, const Registry& registry,
+                                    const std::string& stage, const Given& parameters) {
+    return worked([&](const Signals&) {
+        QuietContext context;
+        return std::make_shared<HeldMesh>(registry.make<MeshLoader>(stage, parameters)->load(file, context));
+    });
+}
+
+/// Returns the number of elements by which a spherizer covers the mesh, grown and proved. `processed`: what it sees.
+std::size_t covering(const HeldMesh& mesh, const HeldMesh* processed, const Registry& registry,
+                     const std::string& stage, const Given& parameters, std::size_t count) {
+    return worked([&](const Signals&) {
+        const std::shared_ptr<const Solid> solid = mesh.solid();
+        const Shape shape("mesh", processed ? processed->solid() : solid, solid);
+        QuietContext context;
+        const Budget budget{.max_spheres = count, .max_protrusion = {}, .guarantee = Guarantee::outer};
+        SphereTree tree = registry.make<Spherizer>(stage, parameters)->spherize(shape, budget, context);
+        const Elements grown = grown_to_cover(*solid, std::move(tree.levels.back().elements));
+        if (!covers(*solid, grown)) {
+            throw Error(ErrorCode::geometry, fmt::format("{} does not cover the mesh", stage));
+        }
+        return grown.size();
+    });
+}
+
 } // namespace
 
 void add_old(py::module_& module) {
@@ -103,6 +131,9 @@ void add_old(py::module_& module) {
             });
         },
         py::arg("mesh"), py::arg("registry"), py::arg("stage"), py::arg("parameters"));
+    module.def("loaded", &loaded_by, py::arg("file"), py::arg("registry"), py::arg("stage"), py::arg("parameters"));
+    module.def("covering", &covering, py::arg("mesh"), py::arg("processed").none(true), py::arg("registry"),
+               py::arg("stage"), py::arg("parameters"), py::arg("count"));
     module.def(
         "resolve",
         [](const std::string& reference, const std::filesystem::path& base) {

@@ -1,9 +1,9 @@
 #include "robot.hpp"
 
-#include "elements.hpp"
-
 #include <foam/base/error.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/geometry/element_forms.hpp>
+#include <foam/judge/evaluate.hpp>
+#include <foam/robot/kinematics.hpp>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -67,15 +67,39 @@ std::vector<std::string> names_of(const HeldRobot& held, bool with_geometry) {
     return names;
 }
 
-std::shared_ptr<HeldMesh> mesh_of_link(const HeldRobot& held, const std::string& name) {
+const std::shared_ptr<const Solid>& solid_of_link(const HeldRobot& held, const std::string& name) {
     for (const OriginalLink& link : held.original.links) {
         if (link.link == name) {
-            return std::make_shared<HeldMesh>(link.solid);
+            return link.solid;
         }
     }
     throw Error(ErrorCode::usage,
                 fmt::format("{}: no link '{}' with {}; there are: {}", held.original.file.string(), name,
                             to_string(held.original.geometry), fmt::join(names_of(held, true), ", ")));
+}
+
+/// Returns the parts of a link: primitives as dict_of() has elements, meshes as {"kind": "mesh", "mesh": Mesh}; in the
+/// frame of the link.
+py::list parts_of_link(const HeldRobot& held, const std::string& name) {
+    py::list parts;
+    for (const Solid::Part& part : solid_of_link(held, name)->parts()) {
+        if (part.primitive) {
+            parts.append(dict_of(moved(*part.primitive, part.pose)));
+        } else {
+            py::dict mesh;
+            mesh["kind"] = "mesh";
+            mesh["mesh"] = std::make_shared<HeldMesh>(*part.mesh);
+            parts.append(mesh);
+        }
+    }
+    return parts;
+}
+
+/// Returns the value of every joint, rad or m, in the order of joints_of(). Joints that are not named are at zero,
+/// moved into their limits; those that mimic one follow it. Throws Error(usage) for a name that is no joint's.
+std::vector<double> values_of_joints(const HeldRobot& held, const JointValues& values) {
+    const Kinematics kinematics(held.original.robot);
+    return kinematics.joint_values(kinematics.configuration(values));
 }
 
 using ElementsOfLinks = std::vector<std::pair<std::string, std::vector<py::dict>>>;
@@ -120,7 +144,14 @@ void add_robot(py::module_& module) {
         .def("notes", [](const HeldRobot& held) { return held.original.notes; })
         .def("links", &names_of, py::arg("with_geometry"))
         .def("joints", &joints_of)
-        .def("mesh", &mesh_of_link, py::arg("link"));
+        .def(
+            "mesh",
+            [](const HeldRobot& held, const std::string& link) {
+                return std::make_shared<HeldMesh>(solid_of_link(held, link));
+            },
+            py::arg("link"))
+        .def("parts", &parts_of_link, py::arg("link"))
+        .def("joint_values", &values_of_joints, py::arg("values"));
     py::class_<SphereFile, std::shared_ptr<SphereFile>>(module, "SphereFile")
         .def(py::init(&file_of), py::arg("links"), py::arg("name"), py::arg("elements") = ElementsOfLinks())
         .def("links", &links_of)

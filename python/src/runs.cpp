@@ -1,7 +1,6 @@
 // Runs of recipes.
-#include "aside.hpp"
-#include "elements.hpp"
 #include "robot.hpp"
+#include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/batch/batch.hpp>

@@ -1,13 +1,12 @@
-#include "search.hpp"
+#include "module.hpp"
 
-#include "elements.hpp"
-#include "mesh.hpp"
+#include "robot.hpp"
 #include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/solid_of_balls.hpp>
 #include <foam/sdk/kinds.hpp>
-#include <foam/search/approximate.hpp>
 #include <foam/search/least_element.hpp>
 #include <foam/search/spherize.hpp>
 
@@ -27,13 +26,13 @@ Effort effort_named(const std::string& word) {
     throw Error(ErrorCode::usage, fmt::format("unknown effort '{}'; there are: fast, normal, best", word));
 }
 
-SpherizeOptions options_of(const std::string& effort, const std::string& objective, std::uint64_t seed) {
-    const std::optional<Objective> known = objective_named(objective);
+Objective objective_of(const std::string& word) {
+    const std::optional<Objective> known = objective_named(word);
     if (!known) {
         throw Error(ErrorCode::usage,
-                    fmt::format("unknown objective '{}'; there are: excess, protrusion, radius", objective));
+                    fmt::format("unknown objective '{}'; there are: excess, mean_protrusion, protrusion, radius", word));
     }
-    return {.effort = effort_named(effort), .objective = *known, .seed = seed};
+    return *known;
 }
 
 /// Returns what ends a search: the time limit, or Python.
@@ -47,60 +46,43 @@ std::function<bool()> stop_of(const Signals& signals, std::optional<double> time
     return [&signals, end] { return signals.asked() || Clock::now() > end; };
 }
 
+/// Returns (rows of spheres, [dictionary of each other element, …], certified, volume).
 py::tuple tuple_of(Cover cover) {
-    return py::make_tuple(rows_of(std::move(cover.spheres)), cover.certificate.holds, cover.volume);
+    py::list others;
+    for (const Element& element : cover.elements.shaped()) {
+        others.append(dict_of(element));
+    }
+    return py::make_tuple(rows_of(std::move(cover.elements.spheres())), others, cover.certificate.holds, cover.volume);
 }
 
-py::tuple spherized(const HeldMesh& mesh, std::size_t count, const std::string& effort, const std::string& objective,
-                    std::uint64_t seed, std::optional<double> time_limit) {
-    SpherizeOptions options = options_of(effort, objective, seed);
-    return tuple_of(worked([&](const Signals& signals) {
-        options.stop = stop_of(signals, time_limit);
-        return spherize(*mesh.solid(), count, options);
-    }));
-}
-
-py::list spherized_each(const HeldMesh& mesh, const std::vector<std::size_t>& counts, const std::string& effort,
-                        const std::string& objective, std::uint64_t seed, std::optional<double> time_limit) {
-    SpherizeOptions options = options_of(effort, objective, seed);
+py::list covered_each(const HeldMesh& mesh, const std::vector<std::size_t>& counts,
+                      const std::vector<std::string>& kinds, const std::string& effort, const std::string& objective,
+                      std::uint64_t seed, std::size_t max_vertices, bool axis_aligned,
+                      std::optional<double> time_limit) {
+    CoverOptions options{.kinds = kinds_named(kinds, "kinds"),
+                         .effort = effort_named(effort),
+                         .objective = objective_of(objective),
+                         .seed = seed,
+                         .max_vertices = max_vertices,
+                         .axis_aligned = axis_aligned};
     std::vector<Cover> covers = worked([&](const Signals& signals) {
         options.stop = stop_of(signals, time_limit);
-        return spherize_each(*mesh.solid(), counts, options);
+        std::vector<Cover> found;
+        if (counts.size() == 1) { // quicker where the effort is fast
+            found.push_back(cover(*mesh.solid(), counts.front(), options));
+            return found;
+        }
+        CoverSearch search(*mesh.solid(), options);
+        for (const std::size_t count : counts) {
+            found.push_back(search.cover(count));
+        }
+        return found;
     });
     py::list list;
     for (Cover& cover : covers) {
         list.append(tuple_of(std::move(cover)));
     }
     return list;
-}
-
-ApproximateOptions approximate_options(const std::string& effort, const std::string& objective,
-                                       std::size_t max_vertices, bool axis_aligned) {
-    const std::optional<ApproximationObjective> known = approximation_objective_named(objective);
-    if (!known) {
-        throw Error(ErrorCode::usage,
-                    fmt::format("unknown objective '{}'; there are: excess, mean_protrusion, protrusion", objective));
-    }
-    return {.effort = effort_named(effort),
-            .objective = *known,
-            .max_vertices = max_vertices,
-            .axis_aligned = axis_aligned};
-}
-
-py::tuple approximated(const HeldMesh& mesh, std::size_t count, const std::vector<std::string>& words,
-                       const std::string& effort, const std::string& objective, std::size_t max_vertices,
-                       bool axis_aligned, std::optional<double> time_limit) {
-    const std::vector<Element::Kind> kinds = kinds_named(words, "kinds");
-    ApproximateOptions options = approximate_options(effort, objective, max_vertices, axis_aligned);
-    const ConvexCover cover = worked([&](const Signals& signals) {
-        options.stop = stop_of(signals, time_limit);
-        return approximate(*mesh.solid(), count, kinds, options);
-    });
-    py::list elements;
-    for (const Element& element : cover.elements) {
-        elements.append(dict_of(element));
-    }
-    return py::make_tuple(elements, cover.certificate.holds, cover.volume);
 }
 
 py::tuple proved(const HeldMesh& mesh, const std::string& word, double tolerance) {
@@ -156,12 +138,13 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
 } // namespace
 
 void add_search(py::module_& module) {
-    module.def("spherize", &spherized, py::arg("mesh"), py::arg("spheres"), py::arg("effort"), py::arg("objective"),
-               py::arg("seed"), py::arg("time_limit"));
-    module.def("spherize_each", &spherized_each, py::arg("mesh"), py::arg("counts"), py::arg("effort"),
-               py::arg("objective"), py::arg("seed"), py::arg("time_limit"));
-    module.def("approximate", &approximated, py::arg("mesh"), py::arg("elements"), py::arg("kinds"), py::arg("effort"),
-               py::arg("objective"), py::arg("max_vertices"), py::arg("axis_aligned"), py::arg("time_limit"));
+    module.def("cover_each", &covered_each, py::arg("mesh"), py::arg("counts"), py::arg("kinds"), py::arg("effort"),
+               py::arg("objective"), py::arg("seed"), py::arg("max_vertices"), py::arg("axis_aligned"),
+               py::arg("time_limit"));
+    module.def(
+        "mesh_of_balls",
+        [](const py::buffer& rows) { return std::make_shared<HeldMesh>(solid_of_balls(spheres_of(rows))); },
+        py::arg("rows"));
     module.def("proved_least", &proved, py::arg("mesh"), py::arg("kind"), py::arg("tolerance"));
     module.def("mesh_of_elements", &mesh_of_elements, py::arg("elements"));
     module.def(

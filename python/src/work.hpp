@@ -1,12 +1,19 @@
-// Work of foam called from Python: without the interpreter's lock, ended by Ctrl-C, refused after fork().
+// Work beside the interpreter: on a thread aside, without its lock.
 #pragma once
 
 #include <foam/base/cancellation.hpp>
+#include <foam/runtime/run.hpp>
 
 #include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 namespace foam::python {
@@ -57,5 +64,21 @@ template <class Work> auto worked(Work work) {
         throw;
     }
 }
+
+/// Events of a run, kept until Python's thread takes them.
+class Events final : public Observer {
+public:
+    void on(const Event& event) override;
+    std::deque<Event> take();
+
+private:
+    std::mutex mutex_;
+    std::deque<Event> events_;
+};
+
+/// Calls work(cancel) in a thread of its own, and poll() about fifty times a second in this one, with the interpreter's
+/// lock, and once more at the end. An exception of poll() or of a signal's handler sets `cancel`, and is thrown when
+/// the work has ended.
+void work_aside(const std::function<void(const std::atomic<bool>& cancel)>& work, const std::function<void()>& poll);
 
 } // namespace foam::python

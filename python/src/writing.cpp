@@ -1,6 +1,6 @@
 // From spheres to the files of writers.
-#include "aside.hpp"
 #include "robot.hpp"
+#include "work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/judge/written_model.hpp>
@@ -52,6 +52,18 @@ void complete(SphereModel& model, const SphereFile& spheres, const Original* ori
     }
 }
 
+/// Throws Error(usage) if the stage has not all of the parameters.
+void require_declared(const Given& parameters, const StageInfo& info) {
+    for (const auto& [name, value] : parameters) {
+        const auto declared = std::find_if(info.parameters.begin(), info.parameters.end(),
+                                           [&, &key = name](const Parameter& p) { return p.name == key; });
+        if (declared == info.parameters.end()) {
+            throw Error(ErrorCode::usage, fmt::format("{} has no parameter '{}'; foam.describe(\"{}\") lists them",
+                                                      info.name, name, info.name));
+        }
+    }
+}
+
 /// Returns the files with their bytes, and what the writer warns of; nothing is written.
 py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres, const HeldRobot* robot,
                   const HeldModel* of_run, const std::filesystem::path& file, const std::string& format,
@@ -62,14 +74,7 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
     if (into && !info.consumer.edits) {
         throw Error(ErrorCode::usage, fmt::format("{} writes whole files; remedy: without into", info.name));
     }
-    for (const auto& [name, value] : parameters) {
-        const auto declared = std::find_if(info.parameters.begin(), info.parameters.end(),
-                                           [&, &key = name](const Parameter& p) { return p.name == key; });
-        if (declared == info.parameters.end()) {
-            throw Error(ErrorCode::usage, fmt::format("{} has no parameter '{}'; foam.describe(\"{}\") lists them",
-                                                      info.name, name, info.name));
-        }
-    }
+    require_declared(parameters, info);
     std::vector<WrittenFile> files;
     Warnings warnings;
     work_aside(

@@ -7,4 +7,5 @@ import sys
 
 def main() -> None:
     program = pathlib.Path(__file__).parent / "bin" / "foam"
+    os.environ["FOAM_PYTHON"] = sys.executable  # for `foam bench`
     os.execv(program, ["foam", *sys.argv[1:]])

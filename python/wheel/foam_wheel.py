@@ -107,7 +107,7 @@ def make_wheels(folder, out, with_gpl=True):
         apache = {"LICENSE": ROOT / "LICENSE"}
         wheels.append(wheel_file.write(out, room / "main", project["project"], version, apache | carried.licences(main)))
         if gpl and with_gpl:
-            about = {**project["project"], "scripts": {}, **project["tool"]["foam"]["gpl"], "dependencies": [f"foam-spheres=={version}"]}
+            about = {**project["project"], "scripts": {}, "optional-dependencies": {}, **project["tool"]["foam"]["gpl"], "dependencies": [f"foam-spheres=={version}"]}
             wheels.append(wheel_file.write(out, room / "others", about, version, {"GPL-3": GPL} | carried.licences(others)))
     return wheels
 

@@ -18,7 +18,10 @@ def tag():
 def metadata(project, version):
     lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version}", f"Summary: {project['description']}",
              f"License: {project['license']['text']}", f"Requires-Python: {project['requires-python']}"]
-    return "\n".join(lines + [f"Requires-Dist: {needed}" for needed in project["dependencies"]]) + "\n"
+    lines += [f"Requires-Dist: {needed}" for needed in project["dependencies"]]
+    for extra, more in project.get("optional-dependencies", {}).items():
+        lines += [f"Provides-Extra: {extra}", *(f'Requires-Dist: {needed}; extra == "{extra}"' for needed in more)]
+    return "\n".join(lines) + "\n"
 
 
 def entry_points(project):

@@ -247,7 +247,7 @@ CHANGES = [
     ("sdk/context.hpp", "    virtual bool cancelled() const = 0;\n", "", "-     virtual 3: bool cancelled() const"),
     ("base/text.hpp", "namespace foam {\n", "namespace foam {\nstruct Novelty {\n    int x;\n};",
      "+ struct foam::Novelty, 4 bytes"),
-    ("search/spherize.hpp", "std::uint64_t seed = 0;", "std::uint32_t seed = 0;", "+        8 seed: uint32_t"),
+    ("search/cover.hpp", "std::uint64_t seed = 0;", "std::uint32_t seed = 0;", "+       32 seed: uint32_t"),
 ]
 
 

@@ -7,7 +7,7 @@ import time
 
 from data_set import Foam, expect, write_boxes
 
-MESHES = 60
+MESHES = 42  # one of six is broken, and each of seven shards has one
 
 
 def wait_for_worker(process):
@@ -37,7 +37,7 @@ def main():
         foam = Foam(sys.argv[1], scratch)
         write_boxes(pathlib.Path(scratch, "boxes"), MESHES)
         out, _ = foam("boxes", "-n", 4, "--run-dir", "one", code=4)
-        expect(out == f"{MESHES} meshes: 50 with spheres, 10 failed, 0 without a result yet\n", out)
+        expect(out == f"{MESHES} meshes: 35 with spheres, 7 failed, 0 without a result yet\n", out)
         truth = foam.table("one")
         expect(len(truth.splitlines()) == MESHES, "a line a mesh")
         for line in foam.results("one").values():

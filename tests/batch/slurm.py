@@ -12,6 +12,7 @@ import time
 
 from data_set import Foam, expect, skip, write_boxes
 
+MESHES = 120  # a task of one core works on its half for seconds
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "scontrol", "squeue", "mungekey")
 
 # As the pages of Slurm 22.05 describe them, without accounting, cgroups and systemd.
@@ -141,6 +142,12 @@ def foam_processes(scratch):
     return found
 
 
+def done(foam):
+    """Returns the number of meshes that have a result."""
+    out, _ = foam("status", "array")
+    return int(out.split(" of ")[0])
+
+
 def main():
     missing = [name for name in PROGRAMS if not shutil.which(name)]
     if missing:
@@ -151,7 +158,7 @@ def main():
     with tempfile.TemporaryDirectory(dir="/run") as place, tempfile.TemporaryDirectory() as scratch:
         os.chmod(place, 0o755)
         foam, folder = Foam(sys.argv[1], scratch), pathlib.Path(scratch)
-        write_boxes(folder / "boxes", 300)
+        write_boxes(folder / "boxes", MESHES)
         foam("boxes", "-n", 6, "--run-dir", "plain", code=4)
         truth = foam.table("plain")
         foam("boxes", "-n", 6, "--run-dir", "array", "--shards", 4, "--slurm", "--memory-limit", 900)
@@ -161,8 +168,7 @@ def main():
             made = slurm.run("sbatch", "--parsable", str(script))
             job = made.strip()
             expect(job.isdigit(), made)
-            wait_for(lambda: len(foam_processes(scratch)) > 0, "a task", 30)
-            time.sleep(0.3)
+            wait_for(lambda: done(foam) > 0, "a task", 30)
             victims = foam_processes(scratch)
             expect(victims, "no task runs\n" + slurm.run("squeue"))
             os.kill(victims[0], signal.SIGKILL)
@@ -177,7 +183,7 @@ def main():
             expect(foam.table("array") == truth, "other bytes")
             log = (folder / "array/log-0.txt").read_text()
             expect("task 1 of 2 of a Slurm job array: 2 of 4 shards" in log, log)
-            print(slurm.run("scontrol", "--version").strip() + ": 300 meshes, 4 shards, 2 tasks: the same bytes")
+            print(slurm.run("scontrol", "--version").strip() + f": {MESHES} meshes, 4 shards, 2 tasks: the same bytes")
 
 
 main()

@@ -265,8 +265,50 @@ static void test_threads(void) {
     }
 }
 
+/* Three points with radii, and a mesh: by each kind, read back, freed. */
+static void test_cover(void) {
+    static const double points[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, radii[3] = {0.1, 0.2, 0};
+    static const int kinds[] = {FOAM_SPHERE, FOAM_CAPSULE, FOAM_CYLINDER, FOAM_BOX, FOAM_SWEPT_BOX, FOAM_HULL, FOAM_ELLIPSOID};
+    foam_report report = {.size = sizeof report};
+    const foam_options fast = {.size = sizeof fast, .effort = FOAM_FAST};
+    foam_region* region = NULL;
+    EXPECT(foam_region_of_points(points[0], radii, 3, &region, &report) == FOAM_OK && region);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; ++k) {
+        foam_elements* elements = NULL;
+        EXPECT(foam_cover(region, 2, (unsigned)kinds[k], &fast, &elements, &report) == FOAM_OK);
+        EXPECT(report.certified && report.volume > 0 && report.spheres == foam_elements_count(elements));
+        EXPECT(foam_elements_count(elements) >= 1 && foam_elements_count(elements) <= 2);
+        for (size_t i = 0; i < foam_elements_count(elements); ++i) {
+            foam_element element;
+            EXPECT(foam_elements_get(elements, i, &element) == FOAM_OK && element.kind == kinds[k]);
+            EXPECT((element.vertex_count >= 4) == (kinds[k] == FOAM_HULL) && !element.vertices == !element.vertex_count);
+        }
+        foam_element none;
+        EXPECT(foam_elements_get(elements, 2, &none) == FOAM_USAGE);
+        foam_elements_free(elements);
+    }
+    foam_elements* elements = NULL;
+    EXPECT(foam_cover(region, 2, 0, &fast, &elements, &report) == FOAM_USAGE && !elements && report.error[0]);
+    EXPECT(foam_cover(region, 2, 128, &fast, &elements, &report) == FOAM_USAGE && !elements);
+    EXPECT(foam_cover(NULL, 2, FOAM_BOX, &fast, &elements, &report) == FOAM_USAGE && !elements);
+    const foam_options radius = {.size = sizeof radius, .objective = FOAM_RADIUS};
+    EXPECT(foam_cover(region, 2, FOAM_BOX, &radius, &elements, &report) == FOAM_USAGE && strstr(report.error, "remedy"));
+    foam_region_free(region);
+    const double wrong[3] = {-1, 0, 0};
+    EXPECT(foam_region_of_points(points[0], wrong, 3, &region, &report) == FOAM_GEOMETRY && !region);
+    EXPECT(foam_region_of_points(NULL, NULL, 0, &region, &report) == FOAM_GEOMETRY && !region);
+    EXPECT(foam_region_of_mesh(grid[0], grid_vertices, grid_faces[0], grid_triangles, &region, &report) == FOAM_OK);
+    EXPECT(foam_cover(region, 4, FOAM_CAPSULE | FOAM_BOX, &fast, &elements, &report) == FOAM_OK && report.certified);
+    foam_elements_free(elements);
+    foam_region_free(region);
+    foam_region_free(NULL);
+    foam_elements_free(NULL);
+    EXPECT(foam_elements_count(NULL) == 0);
+}
+
 int main(void) {
     make_grid();
+    test_cover();
     test_wrong_arguments();
     test_wrong_meshes();
     test_right_call();

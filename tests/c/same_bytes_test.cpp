@@ -31,14 +31,14 @@ int go_on(void*) {
 }
 
 void expect_same(const foam::Mesh& mesh, std::size_t count, const foam_options& options,
-                 const foam::SpherizeOptions& same) {
+                 const foam::CoverOptions& same) {
     std::vector<foam::Sphere> spheres(count);
     foam_report report{};
     report.size = sizeof report;
     ASSERT_EQ(FOAM_OK, foam_spherize(&mesh.vertices[0].x, mesh.vertices.size(), mesh.triangles[0].data(),
                                      mesh.triangles.size(), count, &options, &spheres[0].center.x, &report))
         << report.error;
-    const foam::Cover cover = foam::spherize(mesh, count, same);
+    const foam::SphereCover cover = foam::spherize(mesh, count, same);
     spheres.resize(report.spheres);
     EXPECT_EQ(cover.spheres, spheres);
     EXPECT_EQ(cover.volume, report.volume);

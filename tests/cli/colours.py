@@ -57,7 +57,7 @@ with tempfile.TemporaryDirectory() as scratch:
     (folder / "glob.yaml").write_text("foam: 1\nmesh: box.obj\nstages: [spherize.grid]\nbudget: {spheres: 2}\n"
                                       "links:\n  none*: {max_spheres: 1}\noutputs: [write.csv]\n")  # fmt: skip
     missing = ("info", "none.obj")
-    expect("an error", on_terminal(folder, *missing), f"foam: {RED}error:\x1b[0m ", "none.obj: there is no such file")
+    expect("an error", on_terminal(folder, *missing), f"foam: {RED}error:\x1b[0m {folder / 'none.obj'}: there is no such file")
     expect("NO_COLOR", on_terminal(folder, *missing, NO_COLOR="1"), "error:", without=[BEGIN])
     expect("empty NO_COLOR", on_terminal(folder, *missing, NO_COLOR=""), RED)
     expect("TERM=dumb", on_terminal(folder, *missing, TERM="dumb"), "error:", without=[BEGIN])

@@ -32,6 +32,9 @@ Element element_of(const sdf::Collision& collision) {
         element.kind = Kind::cylinder;
         element.half.z = cylinder->Length() / 2;
         element.radius = cylinder->Radius();
+    } else if (const sdf::Ellipsoid* ellipsoid = geometry.EllipsoidShape()) {
+        element.kind = Kind::ellipsoid;
+        element.half = vector_of(ellipsoid->Radii());
     } else if (const sdf::Sphere* sphere = geometry.SphereShape()) {
         element.radius = sphere->Radius();
     } else {

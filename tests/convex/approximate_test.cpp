@@ -1,11 +1,11 @@
-// foam::approximate(): covers that are proved, for every kind, and what more elements promise.
+// foam::cover(): covers that are proved, for every kind, and what more elements promise.
 #include "geometry/files.hpp"
 #include "geometry/plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 
 #include <gtest/gtest.h>
 
@@ -17,19 +17,20 @@ namespace {
 using namespace foam;
 using Kind = Element::Kind;
 
-constexpr Kind all_kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull};
-const ApproximateOptions fast{.effort = Effort::fast};
+constexpr Kind all_kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull,
+                              Kind::ellipsoid};
+const CoverOptions fast{.effort = Effort::fast};
 
-ConvexCover cover_by(const Solid& solid, std::size_t count, Kind kind, const ApproximateOptions& options = fast) {
-    const Kind kinds[] = {kind};
-    return approximate(solid, count, kinds, options);
+Cover cover_by(const Solid& solid, std::size_t count, Kind kind, CoverOptions options = fast) {
+    options.kinds = {kind};
+    return cover(solid, count, options);
 }
 
-double excess_of(const Solid& solid, const ConvexCover& cover) {
+double excess_of(const Solid& solid, const Cover& cover) {
     return excess_volume(solid, cover.elements) / solid.volume();
 }
 
-void expect_cover(const Solid& solid, const ConvexCover& cover, std::size_t most) {
+void expect_cover(const Solid& solid, const Cover& cover, std::size_t most) {
     EXPECT_GE(cover.elements.size(), 1u);
     EXPECT_LE(cover.elements.size(), most);
     EXPECT_TRUE(cover.certificate.holds);
@@ -72,9 +73,9 @@ TEST(Approximate, CoversByEveryKind) {
 TEST(Approximate, OneHullOfAConvexMeshHasNoExcess) {
     for (const Mesh& mesh : {test::box({0, 0, 0}, {1, 2, 3}), test::ball({0, 0, 0}, 1)}) {
         const auto solid = Solid::make(mesh);
-        ApproximateOptions options = fast;
+        CoverOptions options = fast;
         options.max_vertices = 10'000;
-        const ConvexCover one = cover_by(*solid, 4, Kind::hull, options);
+        const Cover one = cover_by(*solid, 4, Kind::hull, options);
         EXPECT_NEAR(excess_of(*solid, one), 0, 1e-6);
         expect_cover(*solid, one, 4);
     }
@@ -82,7 +83,7 @@ TEST(Approximate, OneHullOfAConvexMeshHasNoExcess) {
 
 TEST(Approximate, TwoHullsOfAnLHaveLittleExcess) {
     const auto solid = Solid::make(l_shape());
-    const ConvexCover two = cover_by(*solid, 2, Kind::hull);
+    const Cover two = cover_by(*solid, 2, Kind::hull);
     EXPECT_LE(excess_of(*solid, two), 0.02);
     expect_cover(*solid, two, 2);
 }
@@ -105,7 +106,7 @@ TEST(Approximate, LegsGetAnElementEach) {
     const auto solid = Solid::make(pedestal());
     for (const Kind kind : {Kind::box, Kind::swept_box}) { // each box is a swept box of no radius
         for (const auto& [count, most] : {std::pair{6, 0.35}, {8, 0.25}}) {
-            const ConvexCover cover = cover_by(*solid, static_cast<std::size_t>(count), kind, {});
+            const Cover cover = cover_by(*solid, static_cast<std::size_t>(count), kind, {});
             EXPECT_LE(excess_of(*solid, cover), most) << to_string(kind) << ' ' << count;
             expect_cover(*solid, cover, static_cast<std::size_t>(count));
         }
@@ -115,11 +116,10 @@ TEST(Approximate, LegsGetAnElementEach) {
 TEST(Approximate, MoreElementsHaveNoMoreExcess) {
     const auto solid = Solid::make(torus());
     for (const Kind kind : {Kind::capsule, Kind::box, Kind::hull}) {
-        const Kind kinds[] = {kind};
-        ApproximationSearch search(*solid, kinds, fast);
+        CoverSearch search(*solid, {.kinds = {kind}, .effort = Effort::fast});
         double before = INFINITY;
         for (const std::size_t count : {1, 2, 3, 4, 8, 16}) {
-            const ConvexCover cover = search.cover(count);
+            const Cover cover = search.cover(count);
             EXPECT_LE(excess_of(*solid, cover), before) << to_string(kind) << ' ' << count;
             before = excess_of(*solid, cover);
             expect_cover(*solid, cover, count);
@@ -130,9 +130,9 @@ TEST(Approximate, MoreElementsHaveNoMoreExcess) {
 TEST(Approximate, HullsKeepTheLimitOfVertices) {
     for (const auto& solid : {Solid::make(test::ball({0, 0, 0}, 1)), Solid::make(test::box({-1, -2, 0}, {1, 2, 3}))}) {
         for (const std::size_t most : {4, 5, 7, 8, 16, 32, 64}) {
-            ApproximateOptions options = fast;
+            CoverOptions options = fast;
             options.max_vertices = most;
-            const ConvexCover cover = cover_by(*solid, 1, Kind::hull, options);
+            const Cover cover = cover_by(*solid, 1, Kind::hull, options);
             ASSERT_EQ(cover.elements.shaped().size(), 1u);
             EXPECT_LE(cover.elements.shaped().front().hull->surface.vertices.size(), most);
             expect_cover(*solid, cover, 1);
@@ -191,9 +191,9 @@ TEST(Approximate, HullsOfFewVerticesAddLittle) {
         const auto solid = Solid::make(c.mesh);
         for (const auto& [most, excess] :
              {std::pair{16, c.with_16}, std::pair{32, c.with_32}, std::pair{64, c.with_64}}) {
-            ApproximateOptions options = fast;
+            CoverOptions options = fast;
             options.max_vertices = static_cast<std::size_t>(most);
-            const ConvexCover cover = cover_by(*solid, 1, Kind::hull, options);
+            const Cover cover = cover_by(*solid, 1, Kind::hull, options);
             EXPECT_LE(excess_of(*solid, cover), excess) << c.name << ' ' << most;
             expect_cover(*solid, cover, 1);
         }
@@ -215,7 +215,7 @@ TEST(Approximate, TheSameOnAnyNumberOfThreads) {
 TEST(Approximate, StopsAtOnceWithACover) {
     const auto solid = Solid::make(torus());
     for (const Kind kind : all_kinds) {
-        ApproximateOptions options;
+        CoverOptions options;
         options.stop = [] { return true; };
         expect_cover(*solid, cover_by(*solid, 8, kind, options), 8);
     }
@@ -243,7 +243,7 @@ TEST(Approximate, HullsFillAnOpenBody) {
     const auto open = Solid::make(mesh);
     ASSERT_FALSE(open->closed());
     for (const auto& [count, most] : {std::pair{4, 0.35}, {8, 0.06}, {16, 0.03}}) {
-        const ConvexCover cover = cover_by(*open, static_cast<std::size_t>(count), Kind::hull, {});
+        const Cover cover = cover_by(*open, static_cast<std::size_t>(count), Kind::hull, {});
         expect_cover(*open, cover, static_cast<std::size_t>(count));
         EXPECT_LE(missing_volume(*open, cover.elements), 0.01 * open->volume()) << count;
         EXPECT_LE(excess_of(*open, cover), most) << count;
@@ -253,7 +253,7 @@ TEST(Approximate, HullsFillAnOpenBody) {
 TEST(Approximate, HullsOfPartsThatOverlap) {
     const auto solid = Solid::make(pedestal());
     for (const auto& [count, most] : {std::pair{4, 0.4}, {8, 0.08}, {16, 0.03}}) {
-        const ConvexCover cover = cover_by(*solid, static_cast<std::size_t>(count), Kind::hull, {});
+        const Cover cover = cover_by(*solid, static_cast<std::size_t>(count), Kind::hull, {});
         expect_cover(*solid, cover, static_cast<std::size_t>(count));
         EXPECT_LE(excess_of(*solid, cover), most) << count;
     }
@@ -262,10 +262,10 @@ TEST(Approximate, HullsOfPartsThatOverlap) {
 TEST(Approximate, OneElementProtrudesLeastWhereThatIsTheObjective) {
     for (const Mesh& mesh : {l_shape(), torus()}) {
         const auto solid = Solid::make(mesh);
-        const auto measured = [&](Kind kind, ApproximationObjective objective) {
+        const auto measured = [&](Kind kind, Objective objective) {
             return measure(*solid, cover_by(*solid, 1, kind, {.objective = objective}).elements);
         };
-        using enum ApproximationObjective;
+        using enum Objective;
         for (const Kind kind : {Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
             SCOPED_TRACE(to_string(kind));
             const Measures least = measured(kind, excess);
@@ -284,10 +284,10 @@ TEST(Approximate, LinesAndBoxesWithoutThickness) {
     for (const Vec3& size : {Vec3{1, 1, 0}, Vec3{1, 1, 1e-9}, Vec3{1, 1e-9, 1e-9}, Vec3{1, 0, 0}}) {
         const auto solid = Solid::make(test::box(size * -0.5, size * 0.5));
         for (const Kind kind : all_kinds) {
-            const ConvexCover one = cover_by(*solid, 1, kind);
+            const Cover one = cover_by(*solid, 1, kind);
             for (const std::size_t count : {2, 6}) {
                 SCOPED_TRACE(to_string(kind));
-                const ConvexCover more = cover_by(*solid, count, kind);
+                const Cover more = cover_by(*solid, count, kind);
                 expect_cover(*solid, more, count);
                 EXPECT_LE(more.volume, one.volume * (1 + 1e-6)) << size.x << " x " << size.y << " x " << size.z;
             }
@@ -309,9 +309,10 @@ TEST(Approximate, AHairOfASolid) {
 
 TEST(Approximate, RefusesWhatCannotBe) {
     const auto solid = Solid::make(test::box({0, 0, 0}, {1, 1, 1}));
-    EXPECT_THROW(approximate(*solid, 1, {}, fast), Error);
+    EXPECT_THROW(cover(*solid, 1, {.kinds = {}}), Error);
+    EXPECT_THROW(cover(*solid, 1, {.kinds = {Kind::box}, .objective = Objective::radius}), Error);
     EXPECT_THROW(cover_by(*solid, 0, Kind::box), Error);
-    ApproximateOptions few = fast;
+    CoverOptions few = fast;
     few.max_vertices = 3;
     EXPECT_THROW(cover_by(*solid, 1, Kind::hull, few), Error);
 }
@@ -323,11 +324,11 @@ TEST(Approximate, ConvexPiecesOfTheFandisk) {
         GTEST_SKIP() << "no " << file;
     }
     const auto solid = Solid::make(test::read_mesh(file));
-    const ConvexCover quick = cover_by(*solid, 8, Kind::hull);
+    const Cover quick = cover_by(*solid, 8, Kind::hull);
     expect_cover(*solid, quick, 8);
     EXPECT_LT(excess_of(*solid, quick), 0.134);
     for (const auto& [count, most] : {std::pair{4, 0.17}, {8, 0.12}}) {
-        const ConvexCover cover = cover_by(*solid, count, Kind::hull, {});
+        const Cover cover = cover_by(*solid, count, Kind::hull, {});
         expect_cover(*solid, cover, count);
         EXPECT_LT(excess_of(*solid, cover), most) << count;
     }

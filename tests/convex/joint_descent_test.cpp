@@ -1,11 +1,10 @@
 // Elements that descend together, and the lattice that tells what they add outside a solid.
-#include "search/src/convex/body_of.hpp"
+#include "search/src/convex/cells.hpp"
 #include "search/src/convex/fit_programme.hpp"
-#include "search/src/convex/joint_descent.hpp"
-#include "search/src/convex/outside_lattice.hpp"
+#include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/primitive.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <gtest/gtest.h>
@@ -22,7 +21,7 @@ std::shared_ptr<const Solid> boxes(const std::vector<Box>& all) {
     std::vector<Solid::Part> parts;
     for (const Box& box : all) {
         Solid::Part part;
-        part.primitive = Primitive{.kind = Primitive::Kind::box, .size = box.size()};
+        part.primitive = Element::box(box.size());
         part.pose.translation = box.center();
         parts.push_back(part);
     }
@@ -37,11 +36,11 @@ Box box_of(const Vec3& low, const Vec3& high) {
 
 struct Scene {
     explicit Scene(std::shared_ptr<const Solid> given)
-        : solid(std::move(given)), body(body_of(*solid)), occupancy(*solid, cover::Frame(solid->bounds()), 48) {}
+        : solid(std::move(given)), body(body_of(*solid)), occupancy(*solid, by_spheres::Frame(solid->bounds()), 48) {}
 
     std::shared_ptr<const Solid> solid;
     BodyOfSolid body;
-    cover::Occupancy occupancy;
+    by_spheres::Occupancy occupancy;
 
     /// Returns a fit in the body's frame from one in metres.
     Fit in_units(Fit fit) const {
@@ -95,13 +94,13 @@ TEST(OutsideLattice, HasTheVolumeOfEveryKind) {
     const Scene scene(boxes({box_of({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})}));
     const double inside = scene.solid->volume() / std::pow(scene.body.unit, 3);
     const Fit turned_axes{.axes = turned({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {0.3, -0.5, 0.8})};
-    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box}) {
+    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::ellipsoid}) {
         Fit fit = turned_axes;
         fit.kind = kind;
         fit.half = kind == Kind::sphere                              ? Vec3{}
                    : kind == Kind::capsule || kind == Kind::cylinder ? Vec3{0, 0, 0.25}
                                                                      : Vec3{0.25, 0.2, 0.3};
-        fit.radius = kind == Kind::box ? 0 : kind == Kind::swept_box ? 0.05 : 0.3;
+        fit.radius = kind == Kind::box || kind == Kind::ellipsoid ? 0 : kind == Kind::swept_box ? 0.05 : 0.3;
         fit = scene.in_units(fit);
         EXPECT_NEAR(scene.outside({fit}), volume(fit) - inside, 0.02 * volume(fit)) << to_string(kind);
         EXPECT_NEAR(scene.outside({fit, fit}), scene.outside({fit}), 1e-12) << "twice the same counts once";
@@ -145,10 +144,14 @@ TEST(JointDescent, TwoTurnedBoxesBecomeAnL) {
 
 TEST(JointDescent, EveryKindGoesOnToHold) {
     const Scene scene(boxes({box_of({0, 0, 0}, {1, 0.2, 0.2}), box_of({0, 0, 0}, {0.2, 1, 0.2})}));
-    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::swept_box}) {
+    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::swept_box, Kind::ellipsoid}) {
         const auto along = [&](const Vec3& center, const std::array<Vec3, 3>& axes) {
             Fit fit{.kind = kind, .axes = axes, .center = center, .radius = kind == Kind::sphere ? 0.7 : 0.3};
             fit.half = kind == Kind::sphere ? Vec3{} : Vec3{0, 0, 0.6};
+            if (kind == Kind::ellipsoid) {
+                fit.half = {0.4, 0.4, 0.9};
+                fit.radius = 0;
+            }
             return scene.in_units(fit);
         };
         const std::vector<Fit> start{along({0.5, 0.1, 0.1}, frame_along({1, 0, 0})),

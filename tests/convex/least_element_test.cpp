@@ -37,7 +37,8 @@ void expect_holds(const Element& element, const std::vector<Vec3>& points) {
     }
 }
 
-constexpr Kind all_kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull};
+constexpr Kind all_kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull,
+                              Kind::ellipsoid};
 
 TEST(LeastElement, HoldsTheirPointsAtAnySizeAndPlace) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -85,6 +86,29 @@ TEST(LeastElement, FindsATurnedCapsule) {
         EXPECT_GE(found, expected * 0.97); // sampled points leave some room
         EXPECT_LE(volume(least_element(Kind::swept_box, points)), found * (1 + 1e-9));
     }
+}
+
+TEST(LeastElement, FindsATurnedEllipsoid) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        Random random(seed);
+        const Element known = moved(Element::ellipsoid({1, 0.5, 0.2}), some_pose(seed));
+        std::vector<Vec3> points;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 d = normalized({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+            points.push_back(support(known, d));
+        }
+        const double found = volume(least_element(Kind::ellipsoid, points));
+        EXPECT_LE(found, volume(known) * (1 + 1e-6));
+        EXPECT_GE(found, volume(known) * 0.98); // sampled points leave some room
+        EXPECT_LE(volume(least_element(Kind::ellipsoid, points, Effort::fast)), volume(known) * 1.01);
+    }
+    // The least ellipsoid around a box has half axes √3 times its half edges (John 1948).
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+        corners.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 0.5 : -0.5, i & 4 ? 0.25 : -0.25});
+    }
+    EXPECT_NEAR(volume(least_element(Kind::ellipsoid, corners)),
+                4.0 / 3 * std::numbers::pi * std::pow(3, 1.5) * 0.125, 1e-5);
 }
 
 TEST(LeastElement, FindsATurnedCylinder) {

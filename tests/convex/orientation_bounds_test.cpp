@@ -1,6 +1,6 @@
 // The bounds that a proof of a least element rests on: no element along an orientation of a cell is smaller.
 #include "geometry/plain_shapes.hpp"
-#include "search/src/convex/orientation_bounds.hpp"
+#include "search/src/convex/least_fit.hpp"
 
 #include <gmock/gmock.h>
 

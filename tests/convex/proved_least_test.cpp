@@ -1,6 +1,6 @@
 // The proof of a least element against its definition: a tree of cells, each halved until its bound is near the least.
 #include "geometry/plain_shapes.hpp"
-#include "search/src/convex/orientation_bounds.hpp"
+#include "search/src/convex/least_fit.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/search/least_element.hpp>

@@ -1,5 +1,5 @@
 // The least rectangle around points of a plane, against all directions of the hull's edges.
-#include "search/src/convex/rectangle.hpp"
+#include "search/src/convex/plane.hpp"
 
 #include <foam/base/random.hpp>
 

@@ -5,8 +5,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/mesh_change.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Points and pieces of a surface that balls leave open.
-#include "search/src/cover/starts/crease_points.hpp"
-#include "search/src/cover/moves/open_pieces.hpp"
+#include "search/src/by_spheres/moves/remainder.hpp"
+#include "search/src/by_spheres/starts/starts.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/runtime/contract.hpp>
@@ -13,7 +13,7 @@
 namespace {
 
 using namespace foam;
-using cover::SurfacePiece, cover::PieceCorner;
+using by_spheres::SurfacePiece, by_spheres::PieceCorner;
 
 constexpr float finest = 0.03f;
 
@@ -45,12 +45,12 @@ TEST_P(BallsOverASquare, LeaveSmallPiecesOpenThatContainAllThatIsInNoBall) {
     Random random(GetParam());
     const auto coordinate = [&] { return static_cast<float>(2 * random.uniform() - 1); };
     const float radius = 1.5f / std::sqrt(static_cast<float>(GetParam()));
-    cover::Balls balls;
+    by_spheres::Balls balls;
     for (std::size_t i = 0; i < GetParam(); ++i) {
         const float x = coordinate(), y = coordinate();
         balls.push_back({x, y, 0.1f * radius * coordinate(), radius});
     }
-    const auto open = cover::open_pieces(square(), balls, finest, 1'000'000);
+    const auto open = by_spheres::open_pieces(square(), balls, finest, 1'000'000);
     ASSERT_TRUE(open);
     for (const SurfacePiece& piece : *open) {
         const auto& [a, b, c] = piece.corners;
@@ -62,30 +62,30 @@ TEST_P(BallsOverASquare, LeaveSmallPiecesOpenThatContainAllThatIsInNoBall) {
     for (int i = 0; i < 2000; ++i) {
         const float x = coordinate(), y = coordinate();
         if (std::ranges::none_of(balls,
-                                 [&](const cover::Ball& b) { return b.squared_distance(x, y, 0) <= b.r * b.r; })) {
+                                 [&](const by_spheres::Ball& b) { return b.squared_distance(x, y, 0) <= b.r * b.r; })) {
             ++in_none;
             EXPECT_TRUE(std::ranges::any_of(*open, [&](const SurfacePiece& piece) { return lies_in(piece, x, y); }));
         }
     }
     EXPECT_GT(in_none, 0);
-    EXPECT_FALSE(cover::open_pieces(square(), balls, finest, open->size() - 1)) << "more than are allowed";
+    EXPECT_FALSE(by_spheres::open_pieces(square(), balls, finest, open->size() - 1)) << "more than are allowed";
 }
 
 // One block of eight balls, a few, and more than one look takes.
 INSTANTIATE_TEST_SUITE_P(Numbers, BallsOverASquare, testing::Values(1, 3, 20, 100, 400));
 
 TEST(OpenPieces, AreNoneInOneBallOrInTwoThatOverlapWidely) {
-    EXPECT_TRUE(cover::open_pieces(square(), {{0, 0, 0, 1.5f}}, finest, 100)->empty());
-    EXPECT_TRUE(cover::open_pieces(square(), {{-0.5f, 0, 0, 1.3f}, {0.5f, 0, 0, 1.3f}}, finest, 100)->empty());
-    EXPECT_GT(cover::open_pieces(square(), {}, finest, 100'000)->size(), 4 / (finest * finest));
+    EXPECT_TRUE(by_spheres::open_pieces(square(), {{0, 0, 0, 1.5f}}, finest, 100)->empty());
+    EXPECT_TRUE(by_spheres::open_pieces(square(), {{-0.5f, 0, 0, 1.3f}, {0.5f, 0, 0, 1.3f}}, finest, 100)->empty());
+    EXPECT_GT(by_spheres::open_pieces(square(), {}, finest, 100'000)->size(), 4 / (finest * finest));
 }
 
 // Hundreds of spheres once began with balls of no size, and ended with the machine's memory.
 TEST(CreasePoints, StayFewWhereTinyBallsLeaveNearlyAllOpen) {
     const auto box = Solid::make(sample::box({0.2, 0.2, 0.2}));
-    const cover::Frame frame(box->bounds());
-    const cover::Balls balls{{0, 0, 0, 1e-5f}, {0.1f, 0, 0, 1e-5f}};
-    const cover::Points points = cover::crease_points(*box, frame, balls, 1e-5, 500);
+    const by_spheres::Frame frame(box->bounds());
+    const by_spheres::Balls balls{{0, 0, 0, 1e-5f}, {0.1f, 0, 0, 1e-5f}};
+    const by_spheres::Points points = by_spheres::crease_points(*box, frame, balls, 1e-5, 500);
     EXPECT_EQ(points.size(), 500u);
     double reach = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

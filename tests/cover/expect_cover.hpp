@@ -8,7 +8,7 @@
 
 namespace foam::test {
 
-inline void expect_cover(const Solid& solid, const Cover& cover, std::size_t most) {
+inline void expect_cover(const Solid& solid, const SphereCover& cover, std::size_t most) {
     EXPECT_GE(cover.spheres.size(), 1u);
     EXPECT_LE(cover.spheres.size(), most);
     EXPECT_TRUE(cover.certificate.holds);

@@ -11,7 +11,7 @@ using namespace foam;
 
 constexpr double tolerance = 0.02;
 
-double largest_radius(const Cover& cover) {
+double largest_radius(const SphereCover& cover) {
     double largest = 0;
     for (const Sphere& sphere : cover.spheres) {
         largest = std::max(largest, sphere.radius);
@@ -19,22 +19,22 @@ double largest_radius(const Cover& cover) {
     return largest;
 }
 
-std::shared_ptr<const Solid> solid_of(const Primitive& primitive) {
+std::shared_ptr<const Solid> solid_of(const Element& primitive) {
     return Solid::make(std::vector<Solid::Part>{{nullptr, primitive, Pose{}}});
 }
 
 /// The primitive and a mesh of it.
-std::vector<std::pair<std::string, std::shared_ptr<const Solid>>> both_kinds(const Primitive& primitive) {
+std::vector<std::pair<std::string, std::shared_ptr<const Solid>>> both_kinds(const Element& primitive) {
     const auto exact = solid_of(primitive);
     return {{"primitive", exact}, {"mesh", Solid::make(Mesh(exact->surface()))}};
 }
 
-Primitive box(const Vec3& size) {
-    return {Primitive::Kind::box, size, 0, 0};
+Element box(const Vec3& size) {
+    return Element::box(size);
 }
 
 void expect_radius(const Solid& solid, std::size_t count, double radius, Objective objective) {
-    const Cover cover = spherize(solid, count, {.objective = objective});
+    const SphereCover cover = spherize(solid, count, {.objective = objective});
     EXPECT_LE(cover.spheres.size(), count);
     EXPECT_TRUE(cover.certificate.holds);
     EXPECT_TRUE(certify(solid, cover.spheres).holds);
@@ -52,7 +52,7 @@ TEST(KnownCovers, CubeByEqualBalls) {
 }
 
 TEST(KnownCovers, BallByOne) {
-    const Primitive ball{Primitive::Kind::sphere, {}, 0.3, 0};
+    const Element ball = Element::sphere(0.3);
     for (const auto& [kind, solid] : both_kinds(ball)) {
         SCOPED_TRACE(kind);
         expect_radius(*solid, 1, 0.3, Objective::radius);
@@ -84,14 +84,14 @@ double radius_of_row(double radius, double length, std::size_t count) {
 }
 
 TEST(KnownCovers, CapsuleByARow) {
-    const Primitive capsule{Primitive::Kind::capsule, {}, 0.1, 0.4};
+    const Element capsule = Element::capsule(0.1, 0.4);
     for (const auto& [kind, solid] : both_kinds(capsule)) {
         SCOPED_TRACE(kind);
         for (const std::size_t count : {1, 2, 4}) {
             const double known = radius_of_row(0.1, 0.4, count);
             expect_radius(*solid, count, known, Objective::radius);
             expect_radius(*solid, count, known, Objective::protrusion);
-            const Cover cover = spherize(*solid, count, {.objective = Objective::protrusion});
+            const SphereCover cover = spherize(*solid, count, {.objective = Objective::protrusion});
             const Measures measures = measure(*solid, cover.spheres, {.surface_points = 100, .volume_rays = 100});
             EXPECT_NEAR(measures.protrusion_max, known - 0.1, tolerance * known);
         }

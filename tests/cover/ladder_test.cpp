@@ -1,5 +1,5 @@
 // The counts along which covering spheres build on one another.
-#include "search/src/cover/portfolio/ladder.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace foam::search::cover;
+using namespace foam::search::by_spheres;
 
 std::vector<std::size_t> below(std::size_t count, std::size_t (*before)(std::size_t)) {
     std::vector<std::size_t> counts;

@@ -2,9 +2,9 @@
 #include "cover/expect_cover.hpp"
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/coarse_solid.hpp>
-#include <foam/geometry/joint_volume.hpp>
-#include <foam/search/splitting.hpp>
+#include <foam/geometry/internal/solids.hpp>
+#include <foam/geometry/volumes.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace foam;
 
-const SpherizeOptions fast{.effort = Effort::fast};
+const CoverOptions fast{.effort = Effort::fast};
 
 /// 2 n² triangles.
 Mesh fine_torus(std::uint32_t n = 250) {
@@ -50,14 +50,14 @@ TEST(LargeMeshCover, HasACoarseSolidOfAFewVerticesOfItsOwn) {
 }
 
 TEST(LargeMeshCover, KeepsPrimitivesAndPartsOfItsCoarseSolid) {
-    const Primitive box{Primitive::Kind::box, {0.1, 0.2, 0.3}, 0, 0};
+    const Element box = Element::box({0.1, 0.2, 0.3});
     const auto solid =
         Solid::make(std::vector<Solid::Part>{{std::make_shared<const Mesh>(fine_torus()), {}, {}}, {nullptr, box, {}}});
     const auto coarse = geometry::coarse_solid(*solid);
     ASSERT_TRUE(coarse);
     ASSERT_EQ(coarse->parts().size(), 2u);
     ASSERT_TRUE(coarse->parts()[1].primitive);
-    EXPECT_EQ(coarse->parts()[1].primitive->size, box.size);
+    EXPECT_EQ(coarse->parts()[1].primitive->half, box.half);
     test::expect_cover(*solid, spherize(*solid, 6, fast), 6);
 }
 
@@ -98,35 +98,35 @@ TEST(LargeMeshCover, IsNoWorseThanThatOfAFewTriangles) {
 TEST(LargeMeshCover, MoreSpheresAreNeverWorse) {
     const auto solid = Solid::make(with_thorns(fine_torus()));
     const std::vector<std::size_t> counts{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16};
-    const std::vector<Cover> covers = spherize_each(*solid, counts, fast);
+    const std::vector<SphereCover> covers = spherize_each(*solid, counts, fast);
     for (std::size_t i = 1; i < covers.size(); ++i) {
         EXPECT_LE(geometry::joint_volume(*solid, covers[i].spheres),
                   geometry::joint_volume(*solid, covers[i - 1].spheres))
             << counts[i];
     }
     CoverSearch alone(*solid, fast);
-    EXPECT_EQ(alone.cover(16).spheres, covers.back().spheres) << "whatever was requested before";
+    EXPECT_EQ(alone.cover(16).elements.spheres(), covers.back().spheres) << "whatever was requested before";
 }
 
 TEST(LargeMeshCover, StoppedAtAnyTimeItIsCertified) {
     const auto solid = Solid::make(fine_torus());
     for (int polls = 0; polls < 3; ++polls) {
         int asked = 0;
-        const SpherizeOptions stopped{.stop = [&] { return asked++ >= polls; }};
+        const CoverOptions stopped{.stop = [&] { return asked++ >= polls; }};
         EXPECT_TRUE(certify(*solid, spherize(*solid, 8, stopped).spheres).holds) << polls;
         asked = 0;
         CoverSearch search(*solid, stopped);
-        EXPECT_TRUE(certify(*solid, search.cover(5).spheres).holds) << polls;
+        EXPECT_TRUE(certify(*solid, search.cover(5).elements).holds) << polls;
     }
 }
 
 TEST(LargeMeshCover, OtherObjectivesSearchOnTheSolidItself) {
     const auto solid = Solid::make(sample::torus(0.1, 0.04, 225, 225));
     ASSERT_TRUE(geometry::coarse_solid(*solid));
-    const Cover cover = spherize(*solid, 4, {.effort = Effort::fast, .objective = Objective::radius});
+    const SphereCover cover = spherize(*solid, 4, {.effort = Effort::fast, .objective = Objective::radius});
     test::expect_cover(*solid, cover, 4);
-    const Cover excess = spherize(*solid, 4, fast);
-    const auto largest = [](const Cover& c) {
+    const SphereCover excess = spherize(*solid, 4, fast);
+    const auto largest = [](const SphereCover& c) {
         return std::max_element(c.spheres.begin(), c.spheres.end(),
                                 [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })
             ->radius;
@@ -136,9 +136,9 @@ TEST(LargeMeshCover, OtherObjectivesSearchOnTheSolidItself) {
 
 TEST(LargeMeshCover, SplitsLookAtTheCoarseSolidAndGrowToCover) {
     const auto solid = Solid::make(fine_torus());
-    const Cover five = spherize(*solid, 5, fast);
-    cover::Splitting splitting(*solid);
-    const cover::Claim six = splitting.one_more(five.spheres, geometry::joint_volume(*solid, five.spheres));
+    const SphereCover five = spherize(*solid, 5, fast);
+    by_spheres::Splitting splitting(*solid);
+    const by_spheres::Claim six = splitting.one_more(five.spheres, geometry::joint_volume(*solid, five.spheres));
     ASSERT_EQ(six.spheres.size(), 6u);
     const std::vector<Sphere> grown = grown_to_cover(*solid, six.spheres);
     EXPECT_TRUE(certify(*solid, grown).holds);

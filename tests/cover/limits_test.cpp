@@ -1,5 +1,5 @@
 // The smallest ball about points that keeps to half-spaces.
-#include "search/src/cover/portfolio/limits.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <foam/base/random.hpp>
 
@@ -11,7 +11,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 Points circle(double radius) {
     Points points;

@@ -11,7 +11,7 @@ namespace {
 
 using namespace foam;
 
-const SpherizeOptions fast{.effort = Effort::fast};
+const CoverOptions fast{.effort = Effort::fast};
 
 std::shared_ptr<const Solid> torus() {
     return sample::solids().at("Torus")();
@@ -21,7 +21,7 @@ std::shared_ptr<const Solid> bracket() {
     return sample::solids().at("Bracket")();
 }
 
-double excess_of(const Solid& solid, const Cover& cover) {
+double excess_of(const Solid& solid, const SphereCover& cover) {
     return cover.volume / solid.volume() - 1;
 }
 
@@ -38,7 +38,7 @@ TEST(ManyCover, HoldsEverySampleOfTheContract) {
 TEST(ManyCover, NormalHoldsTooAndIsNoWorseThanSixtyFour) {
     const auto solid = bracket();
     const std::array<std::size_t, 3> counts{64, 65, 120};
-    const std::vector<Cover> covers = spherize_each(*solid, counts);
+    const std::vector<SphereCover> covers = spherize_each(*solid, counts);
     for (std::size_t i = 0; i < counts.size(); ++i) {
         test::expect_cover(*solid, covers[i], counts[i]);
         EXPECT_LE(covers[i].volume, covers.front().volume * (1 + 1e-9));
@@ -61,7 +61,7 @@ TEST(ManyCover, FastIsNearlyAsGoodAsNormal) {
 TEST(ManyCover, FastAlongItsCountsIsNeverWorse) {
     const auto solid = torus();
     const std::array<std::size_t, 6> counts{14, 16, 32, 48, 64, 100};
-    const std::vector<Cover> covers = spherize_each(*solid, counts, fast);
+    const std::vector<SphereCover> covers = spherize_each(*solid, counts, fast);
     for (std::size_t i = 1; i < counts.size(); ++i) {
         EXPECT_LE(covers[i].volume, covers[counts[i] == 64 ? 2 : i - 1].volume * (1 + 1e-9)) << counts[i];
     }
@@ -81,7 +81,7 @@ TEST(ManyCover, StoppedAtAnyTimeItIsCertified) {
     for (const Effort effort : {Effort::fast, Effort::normal}) {
         for (int polls = 0; polls < 8; polls += 1 + polls / 2) {
             int asked = 0;
-            const SpherizeOptions options{.effort = effort, .stop = [&] { return asked++ >= polls; }};
+            const CoverOptions options{.effort = effort, .stop = [&] { return asked++ >= polls; }};
             SCOPED_TRACE(polls);
             test::expect_cover(*solid, spherize(*solid, 80, options), 80);
         }

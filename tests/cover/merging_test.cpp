@@ -1,10 +1,9 @@
 // Fewer balls out of many.
 #include "cover/expect_contained.hpp"
-#include "search/src/cover/moves/added_volume.hpp"
-#include "search/src/cover/moves/merging.hpp"
+#include "search/src/by_spheres/moves/moves.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 constexpr std::size_t pieces = 2000, many = 24, fewest = 2;
 constexpr int resolution = 32;

@@ -15,7 +15,7 @@ using namespace foam;
 void expect_covered(const Mesh& mesh) {
     const auto solid = Solid::make(mesh);
     for (const std::size_t count : {1, 2, 5, 13}) {
-        const Cover cover = spherize(*solid, count, {.effort = Effort::fast});
+        const SphereCover cover = spherize(*solid, count, {.effort = Effort::fast});
         EXPECT_GE(cover.spheres.size(), 1u);
         EXPECT_LE(cover.spheres.size(), count);
         EXPECT_TRUE(cover.certificate.holds) << count << " spheres";
@@ -71,7 +71,7 @@ TEST(NastyMeshes, OnePointTooFarAwayIsRefused) {
 
 TEST(NastyMeshes, VerticesOfNoTriangle) {
     Mesh mesh = test::box({0, 0, 0}, {1, 1, 1});
-    const Cover cover = spherize(mesh, 1);
+    const SphereCover cover = spherize(mesh, 1);
     mesh.vertices.push_back({0, 0, 1e100});
     EXPECT_EQ(spherize(mesh, 1).spheres, cover.spheres);
 }
@@ -90,7 +90,7 @@ TEST(NastyMeshes, EverySampleOfTheContract) {
     for (const auto& [name, make] : sample::solids()) {
         SCOPED_TRACE(name);
         const auto solid = make();
-        const Cover cover = spherize(*solid, 4, {.effort = Effort::fast});
+        const SphereCover cover = spherize(*solid, 4, {.effort = Effort::fast});
         EXPECT_TRUE(certify(*solid, cover.spheres).holds);
     }
 }

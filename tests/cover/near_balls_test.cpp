@@ -1,7 +1,6 @@
 // The neighbours of balls that move, and the exposed directions that follow from them.
-#include "search/src/cover/measured/directions.hpp"
-#include "search/src/cover/moves/exposed.hpp"
-#include "search/src/cover/moves/near_balls.hpp"
+#include "search/src/by_spheres/measured/points.hpp"
+#include "search/src/by_spheres/moves/near_balls.hpp"
 
 #include <foam/base/random.hpp>
 
@@ -13,7 +12,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::search::cover;
+using namespace foam::search::by_spheres;
 
 float between(Random& random, float low, float high) {
     return low + (high - low) * static_cast<float>(random.uniform());

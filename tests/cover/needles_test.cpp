@@ -2,7 +2,7 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(Needles, CoversAreAsGoodAsARowOfEqualBalls) {
     const auto solid = Solid::make(rod({-20000, 12000, 5600}));
     for (const std::size_t count : {2, 4, 8, 16}) {
         for (const Effort effort : {Effort::fast, Effort::normal}) {
-            const Cover cover = spherize(*solid, count, {.effort = effort});
+            const SphereCover cover = spherize(*solid, count, {.effort = effort});
             EXPECT_TRUE(cover.certificate.holds);
             EXPECT_LE(cover.volume, 1.1 * row_volume(count)) << count;
         }

@@ -35,12 +35,12 @@ protected:
     }
 };
 
-std::shared_ptr<const Solid> solid_of(const Primitive& primitive) {
+std::shared_ptr<const Solid> solid_of(const Element& primitive) {
     return Solid::make(std::vector<Solid::Part>{{nullptr, primitive, Pose{}}});
 }
 
 TEST_F(ObjectiveRuns, EveryObjectiveAndEffortIsProvedAsWritten) {
-    const auto box = solid_of({Primitive::Kind::box, {0.1, 0.2, 0.4}, 0, 0});
+    const auto box = solid_of(Element::box({0.1, 0.2, 0.4}));
     for (const std::string objective : {"excess", "protrusion", "radius"}) {
         for (const std::string effort : {"fast", "normal", "best"}) {
             SCOPED_TRACE(objective + ", " + effort);
@@ -66,7 +66,7 @@ double largest_radius(const Solid&, const std::vector<Sphere>& spheres) {
 
 /// A row of equal spheres claims less than what protrudes least, which has smaller spheres at the ends.
 TEST_F(ObjectiveRuns, SpheresThatClaimLessDoNotStandInForThoseAskedFor) {
-    const auto rod = solid_of({Primitive::Kind::cylinder, {}, 0.1, 0.5});
+    const auto rod = solid_of(Element::cylinder(0.1, 0.5));
     const auto protrusion = [&](const std::string& objective) {
         return protrusion_of(
             *rod,
@@ -77,18 +77,18 @@ TEST_F(ObjectiveRuns, SpheresThatClaimLessDoNotStandInForThoseAskedFor) {
 
 /// Of all ways to share them that with the best worst link.
 TEST_F(ObjectiveRuns, ANumberForTheRobotGoesWhereTheWorstIs) {
-    const auto plate = solid_of({Primitive::Kind::box, {0.6, 0.5, 0.05}, 0, 0});
-    const auto block = solid_of({Primitive::Kind::box, {0.2, 0.3, 0.4}, 0, 0});
+    const auto plate = solid_of(Element::box({0.6, 0.5, 0.05}));
+    const auto block = solid_of(Element::box({0.2, 0.3, 0.4}));
     constexpr std::size_t most = 9;
     std::vector<std::size_t> counts(most - 1);
     std::iota(counts.begin(), counts.end(), std::size_t{1});
     for (const std::string objective : {"protrusion", "radius"}) {
         SCOPED_TRACE(objective);
         const auto figure = objective == "radius" ? largest_radius : protrusion_of;
-        const SpherizeOptions options{.effort = Effort::fast,
+        const CoverOptions options{.effort = Effort::fast,
                                       .objective = objective == "radius" ? Objective::radius : Objective::protrusion};
-        const std::vector<Cover> of_plate = spherize_each(*plate, counts, options);
-        const std::vector<Cover> of_block = spherize_each(*block, counts, options);
+        const std::vector<SphereCover> of_plate = spherize_each(*plate, counts, options);
+        const std::vector<SphereCover> of_block = spherize_each(*block, counts, options);
         double best = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < counts.size(); ++i) {
             best = std::min(best, std::max(figure(*plate, of_plate[i].spheres),

@@ -30,7 +30,7 @@ protected:
     }
 
     const Objective objective = objectives.at(GetParam());
-    const SpherizeOptions fast{.effort = Effort::fast, .objective = objective};
+    const CoverOptions fast{.effort = Effort::fast, .objective = objective};
 };
 
 INSTANTIATE_TEST_SUITE_P(Objectives, ByObjective, testing::Values("protrusion", "radius"),
@@ -41,9 +41,9 @@ TEST_P(ByObjective, EverySampleOfTheContractIsHeldAndNoWorseThanByExcess) {
         const auto solid = make();
         for (const std::size_t count : {1, 2, 5, 12}) {
             SCOPED_TRACE(name + ", " + std::to_string(count));
-            const Cover cover = spherize(*solid, count, fast);
+            const SphereCover cover = spherize(*solid, count, fast);
             test::expect_cover(*solid, cover, count);
-            const Cover by_excess = spherize(*solid, count, {.effort = Effort::fast});
+            const SphereCover by_excess = spherize(*solid, count, {.effort = Effort::fast});
             EXPECT_LE(figure(*solid, cover.spheres), figure(*solid, by_excess.spheres));
         }
     }
@@ -51,7 +51,7 @@ TEST_P(ByObjective, EverySampleOfTheContractIsHeldAndNoWorseThanByExcess) {
 
 TEST_P(ByObjective, IsClearlyBetterThanByExcess) {
     const auto solid = sample::solids().at("Bracket")();
-    const Cover cover = spherize(*solid, 10, {.objective = objective});
+    const SphereCover cover = spherize(*solid, 10, {.objective = objective});
     EXPECT_LT(figure(*solid, cover.spheres), 0.95 * figure(*solid, spherize(*solid, 10).spheres));
 }
 
@@ -60,10 +60,10 @@ TEST_P(ByObjective, MoreSpheresAreNeverWorseNorWorseThanByExcess) {
     for (const char* name : {"Bracket", "Torus"}) {
         SCOPED_TRACE(name);
         const auto solid = sample::solids().at(name)();
-        const std::vector<Cover> by_excess = spherize_each(*solid, counts, {.effort = Effort::fast});
+        const std::vector<SphereCover> by_excess = spherize_each(*solid, counts, {.effort = Effort::fast});
         double least = std::numeric_limits<double>::infinity();
         std::size_t i = 0;
-        for (const Cover& cover : spherize_each(*solid, counts, fast)) {
+        for (const SphereCover& cover : spherize_each(*solid, counts, fast)) {
             SCOPED_TRACE(counts[i]);
             EXPECT_TRUE(cover.certificate.holds);
             EXPECT_LE(cover.spheres.size(), counts[i]);
@@ -78,7 +78,7 @@ TEST_P(ByObjective, MoreSpheresAreNeverWorseNorWorseThanByExcess) {
 TEST_P(ByObjective, MoreEffortIsProvedToo) {
     const auto solid = sample::solids().at("Bracket")();
     for (const Effort effort : {Effort::normal, Effort::best}) {
-        const Cover cover = spherize(*solid, 3, {.effort = effort, .objective = objective});
+        const SphereCover cover = spherize(*solid, 3, {.effort = effort, .objective = objective});
         EXPECT_TRUE(certify(*solid, cover.spheres).holds);
         EXPECT_LE(figure(*solid, cover.spheres), figure(*solid, spherize(*solid, 3, {.effort = effort}).spheres));
     }
@@ -97,7 +97,7 @@ TEST_P(ByObjective, ASearchGivesTheSameWhateverWasAskedBefore) {
     const auto solid = sample::solids().at("Bracket")();
     CoverSearch search(*solid, fast);
     for (const std::size_t count : {7, 3, 13, 7}) {
-        EXPECT_EQ(search.cover(count).spheres, spherize_each(*solid, {&count, 1}, fast)[0].spheres) << count;
+        EXPECT_EQ(search.cover(count).elements.spheres(), spherize_each(*solid, {&count, 1}, fast)[0].spheres) << count;
     }
 }
 
@@ -106,7 +106,7 @@ TEST_P(ByObjective, StoppedAtAnyTimeItIsCertified) {
     for (const int polls : {0, 1, 3, 6, 12, 24}) {
         SCOPED_TRACE(polls);
         int asked = 0;
-        const Cover cover = spherize(*solid, 6, {.objective = objective, .stop = [&] { return asked++ >= polls; }});
+        const SphereCover cover = spherize(*solid, 6, {.objective = objective, .stop = [&] { return asked++ >= polls; }});
         EXPECT_TRUE(certify(*solid, cover.spheres).holds);
         EXPECT_LE(cover.spheres.size(), 6u);
     }
@@ -133,7 +133,7 @@ TEST_P(ByObjective, NastyMeshes) {
         SCOPED_TRACE(name);
         const auto solid = Solid::make(mesh);
         for (const std::size_t count : {1, 2, 7}) {
-            const Cover cover = spherize(*solid, count, fast);
+            const SphereCover cover = spherize(*solid, count, fast);
             EXPECT_TRUE(certify(*solid, cover.spheres).holds);
             EXPECT_LE(cover.spheres.size(), count);
         }
@@ -144,7 +144,7 @@ TEST(Objectives, TheCacheTellsThemApart) {
     SphereCache cache;
     const Mesh mesh = sample::bracket();
     for (const Objective objective : {Objective::excess, Objective::protrusion, Objective::radius}) {
-        const SpherizeOptions options{.effort = Effort::fast, .objective = objective};
+        const CoverOptions options{.effort = Effort::fast, .objective = objective};
         EXPECT_EQ(cache.spherize(mesh, 5, options)->spheres, spherize(mesh, 5, options).spheres);
     }
     EXPECT_EQ(cache.use().misses, 3u);

@@ -1,9 +1,9 @@
 // The parts of a surface that belong to balls.
-#include "search/src/cover/starts/power_cells.hpp"
-#include "search/src/cover/descent/surface_descent.hpp"
+#include "search/src/by_spheres/descent/descent.hpp"
+#include "search/src/by_spheres/starts/power_cells.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 Balls balls_at_random(std::size_t count, Random& random) {
     const auto between = [&](double low, double high) {

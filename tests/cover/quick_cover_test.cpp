@@ -12,9 +12,9 @@ namespace {
 
 using namespace foam;
 
-const SpherizeOptions fast{.effort = Effort::fast};
+const CoverOptions fast{.effort = Effort::fast};
 
-Cover on_threads(std::size_t threads, const Solid& solid, std::size_t count) {
+SphereCover on_threads(std::size_t threads, const Solid& solid, std::size_t count) {
     const ThreadLimit limit(threads);
     return spherize(solid, count, fast);
 }
@@ -56,7 +56,7 @@ TEST(QuickCover, StoppedAtAnyTimeItIsCertified) {
     const auto solid = sample::solids().at("Torus")();
     for (int polls = 0; polls < 4; ++polls) {
         int asked = 0;
-        const Cover cover = spherize(*solid, 8, {.effort = Effort::fast, .stop = [&] { return asked++ == polls; }});
+        const SphereCover cover = spherize(*solid, 8, {.effort = Effort::fast, .stop = [&] { return asked++ == polls; }});
         EXPECT_TRUE(certify(*solid, cover.spheres).holds) << polls;
     }
 }
@@ -117,7 +117,7 @@ TEST(SphereCache, KeepsNoSearchThatWasEnded) {
 TEST(SphereCache, ServesThreads) {
     SphereCache cache;
     const Mesh mesh = test::box({0, 0, 0}, {1, 2, 3});
-    std::vector<std::shared_ptr<const Cover>> covers(40);
+    std::vector<std::shared_ptr<const SphereCover>> covers(40);
     parallel_for(covers.size(), [&](std::size_t i) { covers[i] = cache.spherize(mesh, 1 + i % 4, fast); });
     for (std::size_t i = 0; i < covers.size(); ++i) {
         EXPECT_EQ(covers[i]->spheres, covers[i % 4]->spheres);

@@ -1,7 +1,7 @@
 // Single balls that move to where they are worth more.
 #include "cover/expect_contained.hpp"
-#include "search/src/cover/starts/conditional_gradient.hpp"
-#include "search/src/cover/moves/random_swaps.hpp"
+#include "search/src/by_spheres/moves/moves.hpp"
+#include "search/src/by_spheres/starts/starts.hpp"
 
 #include <foam/runtime/contract.hpp>
 
@@ -10,7 +10,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 constexpr std::size_t pieces = 2000, points = 1500, first_points = 300, directions = 64;
 constexpr int resolution = 32;

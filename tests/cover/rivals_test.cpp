@@ -1,5 +1,5 @@
 // Balls that may have the least power at points close together.
-#include "search/src/cover/portfolio/rivals.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <foam/base/random.hpp>
 
@@ -11,7 +11,7 @@
 namespace {
 
 using namespace foam;
-using namespace foam::cover;
+using namespace foam::by_spheres;
 
 float between(Random& random, double low, double high) {
     return static_cast<float>(low + (high - low) * random.uniform());

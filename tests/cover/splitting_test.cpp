@@ -1,9 +1,8 @@
 // Covers that grow by a sphere at a time.
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/splitting.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,7 @@ class EverySolid : public testing::TestWithParam<std::string> {};
 /// Their faces are larger than the later spheres: what lies far from a sphere is held by others that do not meet it.
 TEST_P(EverySolid, IsHeldByEverMoreSpheresThatClaimEverLess) {
     const auto solid = sample::solids().at(GetParam())();
-    cover::Splitting splitting(*solid);
+    by_spheres::Splitting splitting(*solid);
     std::vector<Sphere> cover{minimum_enclosing_sphere(solid->surface().vertices)};
     cover = grown_to_cover(*solid, cover);
     const double alone = exact_union_volume(cover);

@@ -1,5 +1,5 @@
 // Work that ends in the middle once the caller of a search asks for it.
-#include "search/src/cover/portfolio/unless_stopped.hpp"
+#include "search/src/by_spheres/portfolio/problem.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
@@ -12,7 +12,7 @@
 namespace {
 
 using namespace foam;
-using foam::search::cover::completed_unless_stopped;
+using foam::search::by_spheres::completed_unless_stopped;
 
 /// Works until it is cancelled.
 void work_for_ever() {

@@ -1,7 +1,7 @@
 // Meshes as plain data: what is checked, welded and counted.
 #include <foam/base/error.hpp>
-#include <foam/geometry/edges.hpp>
 #include <foam/geometry/mesh.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <gmock/gmock.h>
 

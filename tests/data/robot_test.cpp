@@ -84,7 +84,7 @@ TEST(Robot, FindsLinks) {
     const Robot robot = robot_of({});
     EXPECT_EQ(robot.find_link("b"), &robot.links[1]);
     EXPECT_EQ(robot.find_link("B"), nullptr);
-    EXPECT_STREQ(to_string(Primitive::Kind::capsule), "capsule");
+    EXPECT_STREQ(to_string(Element::Kind::capsule), "capsule");
 }
 
 TEST(SpheresByLink, JoinsGroupsAndTakesTheLevel) {

@@ -63,12 +63,15 @@ def package_path():
     return {"PYTHONPATH": str(folder)} if FOAM and any(folder.glob("foam/_core.*.so")) else {}
 
 
-def why_not_python(block):
-    """Why a block of Python is not run; empty if it is."""
-    if block.remark.startswith("not run:"):
-        return block.remark
+def why_not(block):
+    """Why a block is not run; empty if it is. Blocks of Python and experiments need modules."""
+    needed = imported(block.text) if block.language == "python" else set()
+    if block.language == "sh" and any(line.startswith("./foam bench ") for line in block.lines):
+        needed = {"foam", "pandas", "matplotlib", "yaml"}
+    if block.remark.startswith("not run:") or not needed:
+        return block.remark if block.remark.startswith("not run:") else ""
     asked = "import importlib.util, sys; print(*[m for m in sys.argv[1:] if not importlib.util.find_spec(m)])"
-    missing = subprocess.run([PYTHON, "-c", asked, *sorted(imported(block.text))], capture_output=True, text=True,
+    missing = subprocess.run([PYTHON, "-c", asked, *sorted(needed)], capture_output=True, text=True,
                              env=os.environ | package_path())
     return f"not run: no module {missing.stdout.strip().replace(' ', ', ')}" if missing.stdout.strip() else ""
 
@@ -82,8 +85,8 @@ def python_findings(page, name):
             except SyntaxError as error:
                 yield f"{name}:{block.line}: no Python: {error.msg}"
                 continue
-            if why := why_not_python(block):
-                print(f"{name}:{block.line}: {why}")
+        if block.language in ("python", "sh") and (why := why_not(block)).startswith("not run: no module"):
+            print(f"{name}:{block.line}: {why}")
 
 
 # Complains on descriptor 9 and stops the shell if the command before it ended otherwise.
@@ -99,10 +102,10 @@ def script_of(page, name, outputs):
     """All commands of a page for one shell, so that `cd` and variables last. Block n prints to the file n."""
     script = "exec 9>&2" + EXPECT
     for index, block in enumerate(page.blocks):
-        if block.language == "python" and not why_not_python(block):
+        if block.language == "python" and not why_not(block):
             script += (f"exec >{shlex.quote(str(outputs / str(index)))} 2>&1\n{PYTHON} -c {shlex.quote(block.text)}\n"
                        f"expect 0 {name}:{block.line} 'this python'\n")
-        if block.language != "sh" or block.remark.startswith("not run:"):
+        if block.language != "sh" or why_not(block):
             continue
         script += f"exec >{shlex.quote(str(outputs / str(index)))} 2>&1\n"
         for line, command in commands_of(block):
@@ -114,7 +117,7 @@ def script_of(page, name, outputs):
 def furnish(room, foam, repository, page):
     """What a page may count on: ./foam, configs/, robot.urdf, part.stl, and the files that its own blocks show."""
     program = room / "foam"
-    program.write_text(f'#!/bin/sh\nexec {shlex.quote(foam)} "$@"\n')
+    program.write_text(f'#!/bin/sh\nexport FOAM_PYTHON={shlex.quote(PYTHON)}\nexec {shlex.quote(foam)} "$@"\n')
     program.chmod(0o755)
     (room / "configs").symlink_to(repository / "configs")
     for file in (repository / "tests/docs/room").iterdir():

@@ -1,6 +1,7 @@
 // Attempts to make the proof of cover pass where a point is uncovered: what is true is computed here in exact or
 // quadruple arithmetic, and by other code.
 #include "bisection.hpp"
+#include "geometry/plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/random.hpp>
@@ -236,7 +237,7 @@ TEST(CertificateAdversary, PrimitivesAtHugeOffsetsAreJudgedWhereTheirPosePutsThe
     for (const double offset : {0.0, 1e3, 1e6}) {
         for (int round = 0; round < 50; ++round) {
             const Pose pose = Pose::from_xyz_rpy(random_vector(random, offset), random_vector(random, 3));
-            const auto solid = Solid::make({{nullptr, Primitive{Primitive::Kind::box, size, 0, 0}, pose}});
+            const auto solid = Solid::make({{nullptr, Element::box(size), pose}});
             const Vec3 center = pose * random_vector(random, 0.1);
             const double radius = test::smallest(0.1, 1, [&](double r) {
                 return certify(*solid, std::vector<Sphere>{{center, r}}).holds;
@@ -254,19 +255,19 @@ TEST(CertificateAdversary, RoundPrimitivesAreNeverLeftOut) {
     // Points of the exact surface of a cylinder and a capsule, in quadruple arithmetic, against the least ball that
     // passes.
     Random random(4);
-    for (const auto kind : {Primitive::Kind::cylinder, Primitive::Kind::capsule, Primitive::Kind::sphere}) {
+    for (const auto kind : {Element::Kind::cylinder, Element::Kind::capsule, Element::Kind::sphere}) {
         for (int round = 0; round < 5; ++round) {
             const Pose pose = Pose::from_xyz_rpy(random_vector(random, 1), random_vector(random, 3));
-            const Primitive primitive{kind, {}, 0.05, 0.2};
+            const Element primitive = test::round_element(kind, 0.05, 0.2);
             const auto solid = Solid::make({{nullptr, primitive, pose}});
             const Vec3 center = pose * random_vector(random, 0.05);
             const double radius = test::smallest(0.01, 2, [&](double r) {
                 return certify(*solid, std::vector<Sphere>{{center, r}}).holds;
             });
-            const double half = kind == Primitive::Kind::sphere ? 0 : 0.1;
+            const double half = kind == Element::Kind::sphere ? 0 : 0.1;
             for (int k = 0; k < 1000; ++k) {
                 const double angle = random.uniform(0, 2 * std::numbers::pi), slope = random.uniform(0, 1.5707);
-                const double end = k % 2 ? half : -half, cap = kind == Primitive::Kind::cylinder ? 0 : slope;
+                const double end = k % 2 ? half : -half, cap = kind == Element::Kind::cylinder ? 0 : slope;
                 const double r = 0.05 * (1 - 1e-15), z = end + (k % 2 ? r : -r) * std::sin(cap);
                 const Vec3 local{r * std::cos(cap) * std::cos(angle), r * std::cos(cap) * std::sin(angle), z};
                 EXPECT_TRUE(inside(placed(pose, local), {center, radius}));
@@ -277,8 +278,8 @@ TEST(CertificateAdversary, RoundPrimitivesAreNeverLeftOut) {
 
 TEST(CertificateAdversary, RoundPrimitivesUnderSeveralBallsAreNeverLeftOut) {
     Random random(6);
-    for (const auto kind : {Primitive::Kind::cylinder, Primitive::Kind::sphere}) {
-        const Primitive primitive{kind, {}, 0.1, 0.2};
+    for (const auto kind : {Element::Kind::cylinder, Element::Kind::sphere}) {
+        const Element primitive = test::round_element(kind, 0.1, 0.2);
         const auto solid = Solid::make({{nullptr, primitive, Pose{}}});
         for (int round = 0; round < 4; ++round) {
             std::vector<Sphere> balls;
@@ -295,7 +296,7 @@ TEST(CertificateAdversary, RoundPrimitivesUnderSeveralBallsAreNeverLeftOut) {
             for (int k = 0; k < 5000; ++k) {
                 const double angle = random.uniform(0, 2 * std::numbers::pi), r = 0.1 * (1 - 1e-15);
                 const double z = random.uniform(-r, r);
-                const double across = kind == Primitive::Kind::sphere ? std::sqrt((r - z) * (r + z)) * (1 - 1e-15) : r;
+                const double across = kind == Element::Kind::sphere ? std::sqrt((r - z) * (r + z)) * (1 - 1e-15) : r;
                 const QuadVec p = quad({across * std::cos(angle), across * std::sin(angle), z});
                 EXPECT_TRUE(std::any_of(balls.begin(), balls.end(), [&](const Sphere& b) { return inside(p, b); }));
             }
@@ -309,15 +310,15 @@ struct ShellTrick {
     Vec3 open; ///< on the true surface, in none of the balls
 };
 
-ShellTrick cover_only_the_shell(const Primitive& primitive) {
+ShellTrick cover_only_the_shell(const Element& primitive) {
     const auto beneath = [&](const Vec3& p) { // nearest point of the cylinder's or ball's surface
-        const Vec3 axis{0, 0, primitive.kind == Primitive::Kind::cylinder ? p.z : 0};
+        const Vec3 axis{0, 0, primitive.kind == Element::Kind::cylinder ? p.z : 0};
         return axis + primitive.radius * normalized(p - axis);
     };
     Vec3 corner{};
     double depth = 0;
     for (Vec3 p : enclosing_mesh(primitive).vertices) {
-        p.z = primitive.kind == Primitive::Kind::cylinder ? 0 : p.z; // in the middle of an edge
+        p.z = primitive.kind == Element::Kind::cylinder ? 0 : p.z; // in the middle of an edge
         if (norm(p) > 0 && distance(p, beneath(p)) > depth) {
             corner = p;
             depth = distance(p, beneath(p));
@@ -333,8 +334,8 @@ ShellTrick cover_only_the_shell(const Primitive& primitive) {
 }
 
 TEST(CertificateAdversary, CoverOfTheShellAroundARoundPrimitiveIsNoCover) {
-    for (const Primitive& primitive :
-         {Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.2}, Primitive{Primitive::Kind::sphere, {}, 0.1, 0}}) {
+    for (const Element& primitive :
+         {Element::cylinder(0.1, 0.2), Element::sphere(0.1)}) {
         const ShellTrick trick = cover_only_the_shell(primitive);
         for (const Sphere& ball : trick.balls) {
             ASSERT_GT(distance(trick.open, ball.center), ball.radius * (1 + 1e-6));

@@ -51,15 +51,6 @@ std::vector<double*> lengths(Element& e) {
     }
     return result;
 }
-std::vector<double*> lengths(Primitive& p) {
-    std::vector<double*> result;
-    for (double* length : {&p.radius, &p.length, &p.size.x, &p.size.y, &p.size.z}) {
-        if (*length > 0) {
-            result.push_back(length);
-        }
-    }
-    return result;
-}
 
 Element scaled(Element e, double factor) {
     for (double* length : lengths(e)) {
@@ -102,16 +93,16 @@ Solid::Part part_of(Inner inner, const Pose& pose, double size, Random& random) 
     Solid::Part part{nullptr, std::nullopt, pose};
     switch (inner) {
     case Inner::box:
-        part.primitive = Primitive{Primitive::Kind::box, {length(), length(), length()}, 0, 0};
+        part.primitive = Element::box({length(), length(), length()});
         break;
     case Inner::sphere:
-        part.primitive = Primitive{Primitive::Kind::sphere, {}, length(), 0};
+        part.primitive = Element::sphere(length());
         break;
     case Inner::cylinder:
-        part.primitive = Primitive{Primitive::Kind::cylinder, {}, length(), length()};
+        part.primitive = Element::cylinder(length(), length());
         break;
     case Inner::capsule:
-        part.primitive = Primitive{Primitive::Kind::capsule, {}, length(), length()};
+        part.primitive = Element::capsule(length(), length());
         break;
     case Inner::mesh: {
         std::vector<Vec3> points;
@@ -208,12 +199,12 @@ std::vector<Change> changes(Case& c, Random& random) {
 /// the element is one that contains the cylinder by its lengths.
 double margin(const Case& c) {
     const double slack = 1e-12 * c.extent;
-    if (c.part.mesh || c.part.primitive->kind != Primitive::Kind::cylinder) {
+    if (c.part.mesh || c.part.primitive->kind != Element::Kind::cylinder) {
         return slack;
     }
     const bool by_lengths =
         c.element.pose == c.part.pose && (c.element.kind == Kind::cylinder || c.element.kind == Kind::capsule) &&
-        c.element.radius >= c.part.primitive->radius && 2 * c.element.half.z >= c.part.primitive->length;
+        c.element.radius >= c.part.primitive->radius && c.element.half.z >= c.part.primitive->half.z;
     return by_lengths ? 0 : slack + facet * c.part.primitive->radius;
 }
 
@@ -360,11 +351,11 @@ TEST_P(ElementAdversary, WhatHasGrownHoldsTheSolid) {
 
 TEST(ElementGrowth, OfASmallerCopyEndsAtThePrimitive) {
     Random random(9);
-    const std::vector<std::pair<Primitive, Element>> copies{
-        {{Primitive::Kind::sphere, {}, 0.3, 0}, {.kind = Kind::sphere, .radius = 0.3}},
-        {{Primitive::Kind::capsule, {}, 0.3, 1}, {.kind = Kind::capsule, .half = {0, 0, 0.5}, .radius = 0.3}},
-        {{Primitive::Kind::cylinder, {}, 0.3, 1}, {.kind = Kind::cylinder, .half = {0, 0, 0.5}, .radius = 0.3}},
-        {{Primitive::Kind::box, {1, 2, 3}, 0, 0}, {.kind = Kind::box, .half = {0.5, 1, 1.5}}}};
+    const std::vector<std::pair<Element, Element>> copies{
+        {Element::sphere(0.3), {.kind = Kind::sphere, .radius = 0.3}},
+        {Element::capsule(0.3, 1), {.kind = Kind::capsule, .half = {0, 0, 0.5}, .radius = 0.3}},
+        {Element::cylinder(0.3, 1), {.kind = Kind::cylinder, .half = {0, 0, 0.5}, .radius = 0.3}},
+        {Element::box({1, 2, 3}), {.kind = Kind::box, .half = {0.5, 1, 1.5}}}};
     for (const auto& [primitive, element] : copies) {
         for (const double smaller : {1e-3, 1e-6, 1e-9}) {
             const Pose pose = test::random_pose(random, 1);
@@ -432,7 +423,7 @@ struct Halves {
     Vec3 half; ///< of the box
     Element left, right;
 
-    Solid::Part part() const { return {nullptr, Primitive{Primitive::Kind::box, half * 2, 0, 0}, pose}; }
+    Solid::Part part() const { return {nullptr, Element::box(half * 2), pose}; }
 };
 
 Element moved_along(Element e, const Pose& pose, double x) {
@@ -444,7 +435,7 @@ Element moved_along(Element e, const Pose& pose, double x) {
 Solid::Part half_of(const Halves& h, double side) {
     Pose place = h.pose;
     place.translation = h.pose * Vec3{side * h.half.x / 2, 0, 0};
-    return {nullptr, Primitive{Primitive::Kind::box, {h.half.x, 2 * h.half.y, 2 * h.half.z}, 0, 0}, place};
+    return {nullptr, Element::box({h.half.x, 2 * h.half.y, 2 * h.half.z}), place};
 }
 
 Halves halves_around(Kind kind, const Pose& pose, const Vec3& half, Random& random) {
@@ -542,21 +533,21 @@ TEST_P(ElementAdversary, TwoElementsWithASlitBetweenThem) {
 }
 
 /// A round primitive that fills the box of the halves but for a hundredth.
-Solid::Part inscribed(const Halves& h, Primitive::Kind kind) {
+Solid::Part inscribed(const Halves& h, Element::Kind kind) {
     const double radius = 0.99 * std::min(h.half.x, h.half.y);
-    const double length = std::max(0.1, 2 * (0.99 * h.half.z - (kind == Primitive::Kind::capsule ? radius : 0)));
+    const double length = std::max(0.1, 2 * (0.99 * h.half.z - (kind == Element::Kind::capsule ? radius : 0)));
     const Pose turned = h.pose * Pose::from_axis_angle({0, 0, 1}, std::numbers::pi / 96); // facets across the plane
-    return {nullptr, Primitive{kind, {}, radius, kind == Primitive::Kind::sphere ? 0 : length}, turned};
+    return {nullptr, test::round_element(kind, radius, length), turned};
 }
 
 TEST_P(ElementAdversary, RoundPrimitivesInTwoElements) {
     Random random(derive_seed(7, to_string(GetParam())));
     int open = 0;
     for (int round = 0; round < 9; ++round) {
-        const auto kind = std::array{Primitive::Kind::cylinder, Primitive::Kind::capsule,
-                                     Primitive::Kind::sphere}[static_cast<std::size_t>(round) % 3];
+        const auto kind = std::array{Element::Kind::cylinder, Element::Kind::capsule,
+                                     Element::Kind::sphere}[static_cast<std::size_t>(round) % 3];
         const double x = random.uniform(0.5, 1.5), y = random.uniform(0.5, 1.5);
-        const double z = std::max(x, y) + (kind == Primitive::Kind::capsule ? 0.5 : 0);
+        const double z = std::max(x, y) + (kind == Element::Kind::capsule ? 0.5 : 0);
         const Halves h = halves_around(GetParam(), test::random_pose(random, 1), {x, y, z}, random);
         const auto solid = Solid::make(std::vector{inscribed(h, kind)});
         const double radius = solid->parts()[0].primitive->radius;
@@ -609,13 +600,13 @@ Element plate(Kind kind, const Vec3& a, const Vec3& b, const Vec3& c, double thi
 }
 
 /// The point of the true surface that is deepest beneath the polyhedron around the primitive.
-Vec3 beneath_a_corner(const Primitive& primitive) {
-    const bool cylinder = primitive.kind == Primitive::Kind::cylinder;
+Vec3 beneath_a_corner(const Element& primitive) {
+    const bool cylinder = primitive.kind == Element::Kind::cylinder;
     Vec3 result{};
     double deepest = 0;
     for (Vec3 p : enclosing_mesh(primitive).vertices) {
         p.z = cylinder ? 0.3 * p.z : p.z; // between the ends of an edge
-        const Vec3 axis{0, 0, cylinder ? p.z : std::clamp(p.z, -primitive.length / 2, primitive.length / 2)};
+        const Vec3 axis{0, 0, cylinder ? p.z : std::clamp(p.z, -primitive.half.z, primitive.half.z)};
         if (const double depth = distance(p, axis) - primitive.radius; depth > deepest) {
             deepest = depth;
             result = axis + normalized(p - axis) * primitive.radius;
@@ -628,9 +619,9 @@ TEST(ElementShells, PlatesUponTheFacetsOfARoundPrimitiveAreNoCover) {
     // The polyhedron around the primitive is covered, and the true surface beneath its corners is not.
     Random random(6);
     for (const Kind kind : {Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull}) {
-        for (const auto inner : {Primitive::Kind::cylinder, Primitive::Kind::sphere, Primitive::Kind::capsule}) {
+        for (const auto inner : {Element::Kind::cylinder, Element::Kind::sphere, Element::Kind::capsule}) {
             const Pose pose = test::random_pose(random, 1);
-            const Primitive primitive{inner, {}, 1, inner == Primitive::Kind::sphere ? 0.0 : 1.0};
+            const Element primitive = test::round_element(inner, 1, 1);
             const Mesh shell = transformed(enclosing_mesh(primitive), pose);
             const auto plates = [&](double thick) {
                 std::vector<Element> result;

@@ -198,32 +198,36 @@ inline Extremes extremes(const Solid::Part& part) {
         std::transform(part.mesh->vertices.begin(), part.mesh->vertices.end(), std::back_inserter(result.points), quad);
         return result;
     }
-    const Primitive& p = *part.primitive;
+    const Element& p = *part.primitive;
     const QuadPoint middle = quad(part.pose.translation);
     const auto add = [&](Quad x, Quad y, Quad z) { result.points.push_back(middle + turned(part.pose, {x, y, z})); };
-    const Quad half = Quad(p.length) / 2;
+    const Quad half = Quad(p.half.z);
     switch (p.kind) {
-    case Primitive::Kind::box:
+    case Element::Kind::box:
         for (int k = 0; k < 8; ++k) {
-            const Quad x = Quad(p.size.x) / 2, y = Quad(p.size.y) / 2, z = Quad(p.size.z) / 2;
+            const Quad x = p.half.x, y = p.half.y, z = p.half.z;
             add(k & 1 ? x : -x, k & 2 ? y : -y, k & 4 ? z : -z);
         }
         break;
-    case Primitive::Kind::sphere:
+    case Element::Kind::sphere:
         add(0, 0, 0);
         result.ball = p.radius;
         break;
-    case Primitive::Kind::capsule:
+    case Element::Kind::capsule:
         add(0, 0, half);
         add(0, 0, -half);
         result.ball = p.radius;
         break;
-    case Primitive::Kind::cylinder:
+    case Element::Kind::cylinder:
         for (const Quad end : {half, -half}) {
             result.rings.push_back({middle + turned(part.pose, {0, 0, end}), turned(part.pose, {p.radius, 0, 0}),
                                     turned(part.pose, {0, p.radius, 0})});
         }
         break;
+    case Element::Kind::swept_box:
+    case Element::Kind::hull:
+    case Element::Kind::ellipsoid:
+        throw std::logic_error("no such part is tested here");
     }
     return result;
 }

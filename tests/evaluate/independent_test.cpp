@@ -148,8 +148,8 @@ Mesh embedded(const std::string& name) {
 
 /// A box and a cylinder that overlap, the cylinder turned into the x-axis.
 Geometry primitives() {
-    const Primitive box{Primitive::Kind::box, {0.2, 0.3, 0.1}, 0, 0};
-    const Primitive cylinder{Primitive::Kind::cylinder, {}, 0.06, 0.4};
+    const Element box = Element::box({0.2, 0.3, 0.1});
+    const Element cylinder = Element::cylinder(0.06, 0.4);
     const Pose pose = Pose::from_xyz_rpy({0.1, 0, 0}, {0, std::numbers::pi / 2, 0});
     Geometry geometry;
     geometry.solid = Solid::make({{nullptr, box, Pose{}}, {nullptr, cylinder, pose}});

@@ -7,7 +7,7 @@
 
 namespace foam::test {
 
-inline const Primitive cube{Primitive::Kind::box, {0.2, 0.2, 0.2}, 0, 0};
+inline const Element cube = Element::box({0.2, 0.2, 0.2});
 
 /// Returns a robot of links with a cube each. `left_out`: a link that is not judged.
 inline Original cubes_of_links(const std::vector<std::string>& links, const std::string& left_out = "") {

@@ -2,7 +2,7 @@
 #include "write/models.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 
 #include <gmock/gmock.h>
 

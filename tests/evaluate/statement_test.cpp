@@ -103,7 +103,7 @@ TEST(Statement, NamesWhatIsLeftOut) {
 
 TEST(Statement, LinksThatAreSeenAlone) {
     Robot robot;
-    const GeometryElement shape{.origin = {}, .geometry = Primitive{}, .name = ""};
+    const GeometryElement shape{.origin = {}, .geometry = Element{}, .name = ""};
     robot.links = {{"both", {shape}, {shape}}, {"seen", {}, {shape}}, {"none", {}, {}}, {"felt", {shape}, {}}};
     EXPECT_THAT(visual_only_links(robot), ElementsAre("seen"));
 }

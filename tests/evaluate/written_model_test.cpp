@@ -395,7 +395,7 @@ std::vector<std::string> ignored_of(const std::vector<LinkSpheres>& spheres, dou
     SphereModel model = sphere_model_of(given_file(spheres), std::make_shared<const Robot>(robot));
     if (edge > 0) {
         for (const OriginalLink& link : original.links) {
-            model.geometry[link.link] = Solid::make({{nullptr, Primitive{Primitive::Kind::box, {edge, edge, edge}, 0, 0}, {}}});
+            model.geometry[link.link] = Solid::make({{nullptr, Element::box({edge, edge, edge}), {}}});
         }
     }
     std::vector<std::string> names;

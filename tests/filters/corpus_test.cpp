@@ -2,7 +2,7 @@
 #include "filters.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,7 @@
 #include "filters.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/mesh_change.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <numeric>

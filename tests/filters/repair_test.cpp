@@ -1,7 +1,7 @@
 // repair.watertight: a closed solid from anything, close to what was given.
 #include "filters.hpp"
 
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <numbers>

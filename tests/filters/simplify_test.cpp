@@ -1,7 +1,7 @@
 // simplify.quadric: fewer triangles, the same solid.
 #include "filters.hpp"
 
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 namespace foam::test {

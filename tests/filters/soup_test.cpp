@@ -1,8 +1,7 @@
 // repair.soup and repair.auto: mended in place where that is enough, rebuilt where it is not.
 #include "filters.hpp"
 
-#include <foam/geometry/mesh_change.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // repair.wrap encloses anything.
 #include "filters.hpp"
 
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/geometry/solid.hpp>
 
 namespace foam::test {

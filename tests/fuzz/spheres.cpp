@@ -1,7 +1,7 @@
 #include "promises.hpp"
 #include "targets.hpp"
 
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 
 #include <cmath>
 

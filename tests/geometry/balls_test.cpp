@@ -316,9 +316,9 @@ namespace {
 using Long = long double;
 
 /// How far straight below a facet's corner the primitive's surface lies, along the facet's normal.
-double depth_below(const Primitive& primitive, const Pose& pose, const Vec3& corner, const Vec3& normal) {
+double depth_below(const Element& primitive, const Pose& pose, const Vec3& corner, const Vec3& normal) {
     const Vec3 along = pose.rotate({0, 0, 1}), v = corner - pose.translation;
-    const double half = primitive.kind == Primitive::Kind::sphere ? 0 : primitive.length / 2;
+    const double half = primitive.half.z;
     const Vec3 p = v - std::clamp(dot(v, along), -half, half) * along; // from the nearest point of the axis
     const Long b = Long(p.x) * normal.x + Long(p.y) * normal.y + Long(p.z) * normal.z;
     const Long c = Long(p.x) * p.x + Long(p.y) * p.y + Long(p.z) * p.z - Long(primitive.radius) * primitive.radius;
@@ -329,12 +329,12 @@ double depth_below(const Primitive& primitive, const Pose& pose, const Vec3& cor
 
 TEST(Balls, ThePrismBeneathAFacetReachesTheTrueSurface) {
     const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
-    for (const Primitive& primitive :
-         {Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.3}, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.3},
-          Primitive{Primitive::Kind::sphere, {}, 0.1, 0}}) {
+    for (const Element& primitive :
+         {Element::cylinder(0.1, 0.3), Element::capsule(0.1, 0.3),
+          Element::sphere(0.1)}) {
         const auto solid = Solid::make({{std::make_shared<const Mesh>(box({1, 1, 1}, {2, 2, 2})), {}, {}},
                                         {nullptr, primitive, pose},
-                                        {nullptr, Primitive{Primitive::Kind::box, {1, 1, 1}, 0, 0}, Pose{}}});
+                                        {nullptr, Element::box({1, 1, 1}), Pose{}}});
         const Balls balls(*solid, std::vector<Sphere>{{{}, 1}}, 120);
         const auto offsets = solid->part_offsets();
         std::size_t flat_ones = 0, deep = 0;
@@ -347,7 +347,7 @@ TEST(Balls, ThePrismBeneathAFacetReachesTheTrueSurface) {
             const geometry::Corners& t = piece.corners;
             const Vec3 normal = normalized(cross(t.b - t.a, t.c - t.a));
             const bool end =
-                primitive.kind == Primitive::Kind::cylinder && std::abs(dot(normal, pose.rotate({0, 0, 1}))) > 0.9;
+                primitive.kind == Element::Kind::cylinder && std::abs(dot(normal, pose.rotate({0, 0, 1}))) > 0.9;
             EXPECT_EQ(piece.curved, !end);
             flat_ones += end;
             for (Vec3 geometry::Corners::*corner :
@@ -361,17 +361,17 @@ TEST(Balls, ThePrismBeneathAFacetReachesTheTrueSurface) {
                 }
             }
         }
-        EXPECT_EQ(flat_ones > 0, primitive.kind == Primitive::Kind::cylinder);
+        EXPECT_EQ(flat_ones > 0, primitive.kind == Element::Kind::cylinder);
         EXPECT_GT(deep, 30u);
     }
 }
 
 TEST(Balls, RoundPartsInClosedForm) {
     const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
-    const auto solid = Solid::make({{nullptr, Primitive{Primitive::Kind::box, {0.1, 0.1, 0.1}, 0, 0}, Pose{}},
-                                    {nullptr, Primitive{Primitive::Kind::capsule, {}, 0.1, 0.4}, pose},
-                                    {nullptr, Primitive{Primitive::Kind::cylinder, {}, 0.1, 0.4}, pose},
-                                    {nullptr, Primitive{Primitive::Kind::sphere, {}, 0.2, 0}, pose}});
+    const auto solid = Solid::make({{nullptr, Element::box({0.1, 0.1, 0.1}), Pose{}},
+                                    {nullptr, Element::capsule(0.1, 0.4), pose},
+                                    {nullptr, Element::cylinder(0.1, 0.4), pose},
+                                    {nullptr, Element::sphere(0.2), pose}});
     const Vec3 middle = pose.translation, away{0.1, 0.2, -0.3}, half = pose.rotate({0, 0, 0.2});
     const double nan = std::nan("");
     Balls balls(*solid, std::vector<Sphere>{{middle, 0.1}, {middle + away, 0.1}, {{nan, 0, 0}, 9}}, 120);

@@ -1,10 +1,10 @@
 // Eroded elements: what they hold, how far points are outside, and the slack of docs/dev/certificate.md.
 #include "evaluate/element_truth.hpp"
 #include "geometry/src/proof/bodies.hpp"
-#include "geometry/src/proof/element_grown.hpp"
+#include "geometry/src/convex/polytope.hpp"
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

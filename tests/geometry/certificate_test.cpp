@@ -179,12 +179,12 @@ TEST(Certificate, SmallAndFarParts) {
 
 TEST(Certificate, ASphereCoversItsPrimitive) {
     const Pose pose = Pose::from_xyz_rpy({0.1, 0.2, 0.3}, {0.4, 0.5, 0.6});
-    const auto ball = primitive_solid({Primitive::Kind::sphere, {}, 0.25, 0}, pose);
+    const auto ball = primitive_solid(Element::sphere(0.25), pose);
     EXPECT_TRUE(certify(*ball, std::vector<Sphere>{{{0.1, 0.2, 0.3}, 0.25}}).holds) << "proved in closed form";
     EXPECT_FALSE(certify(*ball, std::vector<Sphere>{{{0.1, 0.2, 0.3}, std::nextafter(0.25, 0)}}).holds);
     EXPECT_TRUE(certify(*ball, std::vector<Sphere>{{{0.1, 0.2, 0.4}, 0.35 + 1e-9}}).holds);
     EXPECT_FALSE(certify(*ball, std::vector<Sphere>{{{0.1, 0.2, 0.4}, 0.35 - 1e-9}}).holds);
-    const auto capsule = primitive_solid({Primitive::Kind::capsule, {}, 0.25, 1});
+    const auto capsule = primitive_solid(Element::capsule(0.25, 1));
     EXPECT_TRUE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 + 1e-9}}).holds);
     EXPECT_FALSE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 - 1e-9}}).holds);
 }
@@ -333,13 +333,12 @@ TEST(Certificate, TheWorstOfSeveralHolesIsTold) {
 
 TEST(Certificate, ARoundPartThatIsHeldLeavesTheOthersOpen) {
     // Each part in turn lacks its ball. Spheres and capsules are held in closed form, their tessellation is not.
-    using Kind = Primitive::Kind;
     std::vector<Solid::Part> parts{
         {std::make_shared<const Mesh>(box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})), {}, {}},
-        {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({1, 0, 0}, {})},
-        {nullptr, Primitive{Kind::box, {0.2, 0.2, 0.2}, 0, 0}, Pose::from_xyz_rpy({2, 0, 0}, {})},
-        {nullptr, Primitive{Kind::sphere, {}, 0.2, 0}, Pose::from_xyz_rpy({3, 0, 0}, {})},
-        {nullptr, Primitive{Kind::cylinder, {}, 0.1, 0.2}, Pose::from_xyz_rpy({4, 0, 0}, {})}};
+        {nullptr, Element::sphere(0.2), Pose::from_xyz_rpy({1, 0, 0}, {})},
+        {nullptr, Element::box({0.2, 0.2, 0.2}), Pose::from_xyz_rpy({2, 0, 0}, {})},
+        {nullptr, Element::sphere(0.2), Pose::from_xyz_rpy({3, 0, 0}, {})},
+        {nullptr, Element::cylinder(0.1, 0.2), Pose::from_xyz_rpy({4, 0, 0}, {})}};
     const auto solid = Solid::make(parts);
     std::vector<Sphere> all;
     for (int i = 0; i < 5; ++i) {

@@ -3,7 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/element.hpp>
-#include <foam/geometry/internal/farthest.hpp>
+#include <foam/geometry/internal/quickhull.hpp>
 
 #include <gtest/gtest.h>
 
@@ -166,14 +166,14 @@ TEST(ConvexHull, DuplicatesChangeNothing) {
 
 TEST(ConvexHull, RoundShapes) {
     Random random(5);
-    for (const Primitive::Kind kind : {Primitive::Kind::cylinder, Primitive::Kind::capsule, Primitive::Kind::sphere}) {
+    for (const Element::Kind kind : {Element::Kind::cylinder, Element::Kind::capsule, Element::Kind::sphere}) {
         for (const int segments : {3, 16, 64}) {
-            const Mesh mesh = enclosing_mesh({kind, {1, 1, 1}, 0.5, 2}, segments);
+            const Mesh mesh = enclosing_mesh(test::round_element(kind, 0.5, 2), segments);
             expect_hull_of(mesh.vertices);
             expect_hull_of(moved(mesh.vertices, test::random_pose(random, 1)));
         }
     }
-    const Mesh cylinder = enclosing_mesh({Primitive::Kind::cylinder, {1, 1, 1}, 0.5, 2}, 16);
+    const Mesh cylinder = enclosing_mesh(Element::cylinder(0.5, 2), 16);
     EXPECT_EQ(convex_hull(cylinder.vertices)->surface.vertices.size(), 32u);
     EXPECT_EQ(convex_hull(cylinder.vertices)->faces.size(), 18u);
 }

@@ -4,8 +4,8 @@
 #include "plain_shapes.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/internal/triangle.hpp>
 
 #include <gtest/gtest.h>
 
@@ -142,6 +142,7 @@ Element small_element(Kind kind, const Vec3& at, double size, Random& random) {
         break;
     case Kind::box:
     case Kind::swept_box:
+    case Kind::ellipsoid:
         e.half = {h, size * random.uniform(0.2, 1), size * random.uniform(0.2, 1)};
         e.radius = kind == Kind::swept_box ? size * random.uniform(0.1, 0.5) : 0;
         break;
@@ -203,7 +204,7 @@ class EachKind : public ::testing::TestWithParam<Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EachKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull),
+                                           Kind::hull, Kind::ellipsoid),
                          [](const auto& kind) { return to_string(kind.param); });
 
 #ifdef FOAM_TEST_FEW
@@ -328,7 +329,7 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
         EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{e})).holds);
     }
     // A box with a radius is no swept box: a proof that took it for one would prove points that no box holds.
-    const bool box = GetParam() == Kind::box || GetParam() == Kind::swept_box;
+    const bool box = GetParam() == Kind::box || GetParam() == Kind::swept_box || GetParam() == Kind::ellipsoid;
     const bool along = box || GetParam() == Kind::capsule || GetParam() == Kind::cylinder;
     const auto with_size = [&](auto set) {
         Element e = good;
@@ -338,7 +339,8 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
     EXPECT_EQ(with_size([](Element& e) { e.half.x = 0.01; }), box);
     EXPECT_EQ(with_size([](Element& e) { e.half.y = 0.01; }), box);
     EXPECT_EQ(with_size([](Element& e) { e.half.z = 0.01; }), along);
-    EXPECT_EQ(with_size([](Element& e) { e.radius = 0.01; }), GetParam() != Kind::box && GetParam() != Kind::hull);
+    EXPECT_EQ(with_size([](Element& e) { e.radius = 0.01; }),
+              GetParam() != Kind::box && GetParam() != Kind::hull && GetParam() != Kind::ellipsoid);
     Element mirrored = good;
     mirrored.pose.rotation[0] = -mirrored.pose.rotation[0];
     EXPECT_FALSE(is_valid(mirrored));
@@ -550,13 +552,13 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
     Random random(7);
     for (int run = 0; run < 20; ++run) {
         const Pose pose = test::random_pose(random, run % 2 ? 1 : 0);
-        const std::vector<std::pair<Primitive, Element>> cases{
-            {{Primitive::Kind::sphere, {}, 0.3, 0}, {.kind = Kind::sphere, .pose = pose, .radius = 0.3}},
-            {{Primitive::Kind::capsule, {}, 0.3, 1},
+        const std::vector<std::pair<Element, Element>> cases{
+            {Element::sphere(0.3), {.kind = Kind::sphere, .pose = pose, .radius = 0.3}},
+            {Element::capsule(0.3, 1),
              {.kind = Kind::capsule, .pose = pose, .half = {0, 0, 0.5}, .radius = 0.3}},
-            {{Primitive::Kind::cylinder, {}, 0.3, 1},
+            {Element::cylinder(0.3, 1),
              {.kind = Kind::cylinder, .pose = pose, .half = {0, 0, 0.5}, .radius = 0.3}},
-            {{Primitive::Kind::box, {1, 2, 3}, 0, 0}, {.kind = Kind::box, .pose = pose, .half = {0.5, 1, 1.5}}}};
+            {Element::box({1, 2, 3}), {.kind = Kind::box, .pose = pose, .half = {0.5, 1, 1.5}}}};
         for (const auto& [primitive, element] : cases) {
             const auto solid = test::primitive_solid(primitive, pose);
             EXPECT_TRUE(certify(*solid, Elements(std::vector<Element>{element})).holds) << to_string(primitive.kind);
@@ -567,7 +569,7 @@ TEST(ElementCertificate, PrimitivesInElementsOfTheirKind) {
             EXPECT_TRUE(certify(*solid, level).holds) << to_string(primitive.kind);
         }
         // around others, in closed form: no larger than by rounding
-        const auto ball = test::primitive_solid({Primitive::Kind::sphere, {}, 0.3, 0}, pose);
+        const auto ball = test::primitive_solid(Element::sphere(0.3), pose);
         Element box{.kind = Kind::box, .pose = pose, .half = Vec3{1, 1, 1} * (0.3 * (1 + 1e-12))};
         box.pose.rotation = test::random_pose(random, 0).rotation;
         EXPECT_TRUE(certify(*ball, Elements(std::vector<Element>{box})).holds);

@@ -1,6 +1,6 @@
 // Elements that are enlarged for points: what they grow by, in closed form.
-#include "geometry/src/proof/element_grown.hpp"
-#include "geometry/src/proof/element_growth.hpp"
+#include "geometry/src/convex/polytope.hpp"
+#include "geometry/src/convex/kind.hpp"
 #include "plain_shapes.hpp"
 
 #include <foam/geometry/measure.hpp>

@@ -1,5 +1,5 @@
 // Polytopes whose faces move outwards: each vertex by the shortest move beyond its planes.
-#include "geometry/src/proof/element_grown.hpp"
+#include "geometry/src/convex/polytope.hpp"
 #include "plain_shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -114,7 +114,7 @@ TEST(ElementGrowth, ABarBetweenTwoIsShared) {
 
 TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
     for (const double by : {1.0, 0x1p-12, 0x1p12}) {
-        const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, by, 0});
+        const auto solid = test::primitive_solid(Element::sphere(by));
         for (const double less : {1e-3, 4e-3}) {
             Element near{.kind = Kind::sphere, .radius = (1 - less) * by}, far{.kind = Kind::sphere, .radius = by};
             far.pose.translation = {0, 0, 1.2 * less * by};
@@ -128,7 +128,7 @@ TEST(ElementGrowth, OnlyTheElementNearestToARoundPartGrowsAroundIt) {
 }
 
 TEST(ElementGrowth, ARoundPartThatNoElementIsNearToIsCoveredToo) {
-    const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, 1, 0});
+    const auto solid = test::primitive_solid(Element::sphere(1));
     for (const Kind kind : {Kind::box, Kind::sphere, Kind::capsule}) {
         const Element small =
             kind == Kind::box ? Element{.kind = kind, .half = {0.2, 0.2, 0.2}}
@@ -140,7 +140,7 @@ TEST(ElementGrowth, ARoundPartThatNoElementIsNearToIsCoveredToo) {
 }
 
 TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
-    const auto solid = test::primitive_solid({Primitive::Kind::capsule, {}, 1, 2});
+    const auto solid = test::primitive_solid(Element::capsule(1, 2));
     const Element one_end = box_between({-1, -1, -2}, {1, 1, 2 - 4e-3}),
                   other_end = box_between({-1, -1, 4e-3 - 2}, {1, 1, 2}),
                   both_ends = box_between({-1, -1, 3e-3 - 2}, {1, 1, 2 - 3e-3});
@@ -161,7 +161,7 @@ TEST(ElementGrowth, TheWorseEndOfACapsuleCounts) {
 }
 
 TEST(ElementGrowth, TheCurvedSideOfACylinderIsGivenToTheElementAroundIt) {
-    const auto solid = test::primitive_solid({Primitive::Kind::cylinder, {}, 1, 2});
+    const auto solid = test::primitive_solid(Element::cylinder(1, 2));
     Element low{.kind = Kind::cylinder, .half = {0, 0, 0.6}, .radius = 1.1}, high = low;
     low.pose.translation.z = -0.5;
     high.pose.translation.z = 0.5;

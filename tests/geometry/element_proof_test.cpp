@@ -21,14 +21,14 @@ Element element_with(Kind kind, const Vec3& half, double radius) {
     return e;
 }
 
-bool contains(const Element& e, const Primitive& p) {
+bool contains(const Element& e, const Element& p) {
     Pose pose;
     pose.translation = {1, 2, 3};
     return contains_by_lengths(e, {nullptr, p, pose});
 }
 
 /// Expects that the element contains the primitive, and not if any of these lengths is a last bit smaller.
-void expect_just(Element e, const Primitive& p, const std::vector<double Element::*>& radii,
+void expect_just(Element e, const Element& p, const std::vector<double Element::*>& radii,
                  const std::vector<int>& halves) {
     EXPECT_TRUE(contains(e, p));
     const auto expect_not = [&](double& length) {
@@ -50,8 +50,8 @@ void expect_just(Element e, const Primitive& p, const std::vector<double Element
 }
 
 TEST(ContainsByLengths, PrimitivesInElementsWithRoomForThem) {
-    const Primitive ball{Primitive::Kind::sphere, {}, 0.3, 0}, capsule{Primitive::Kind::capsule, {}, 0.3, 1},
-        cylinder{Primitive::Kind::cylinder, {}, 0.3, 1}, box{Primitive::Kind::box, {1, 2, 3}, 0, 0};
+    const Element ball = Element::sphere(0.3), capsule = Element::capsule(0.3, 1),
+        cylinder = Element::cylinder(0.3, 1), box = Element::box({1, 2, 3});
     expect_just(element_with(Kind::sphere, {}, 0.3), ball, {&Element::radius}, {});
     expect_just(element_with(Kind::capsule, {0, 0, 0.1}, 0.3), ball, {&Element::radius}, {});
     expect_just(element_with(Kind::swept_box, {0.1, 0.1, 0.1}, 0.3), ball, {&Element::radius}, {});
@@ -67,16 +67,16 @@ TEST(ContainsByLengths, PrimitivesInElementsWithRoomForThem) {
 }
 
 TEST(ContainsByLengths, OthersAreNotCompared) {
-    const Primitive ball{Primitive::Kind::sphere, {}, 0.3, 0}, capsule{Primitive::Kind::capsule, {}, 0.3, 1},
-        cylinder{Primitive::Kind::cylinder, {}, 0.3, 1}, box{Primitive::Kind::box, {1, 1, 1}, 0, 0};
+    const Element ball = Element::sphere(0.3), capsule = Element::capsule(0.3, 1),
+        cylinder = Element::cylinder(0.3, 1), box = Element::box({1, 1, 1});
     Element hull = element_with(Kind::hull, {}, 0);
     hull.hull = convex_hull(test::box({-9, -9, -9}, {9, 9, 9}).vertices);
-    for (const Primitive& p : {ball, capsule, cylinder, box}) {
+    for (const Element& p : {ball, capsule, cylinder, box}) {
         EXPECT_FALSE(contains(hull, p));
         EXPECT_FALSE(contains(element_with(Kind::box, {-9, 9, 9}, 0), p));
     }
     hull.hull = convex_hull(test::box({1, 1, 1}, {2, 2, 2}).vertices);
-    EXPECT_FALSE(contains(hull, {Primitive::Kind::sphere, {}, 0, 0})) << "the middle is beside it";
+    EXPECT_FALSE(contains(hull, Element::sphere(0))) << "the middle is beside it";
     EXPECT_FALSE(contains(element_with(Kind::box, {9, 9, 9}, 0), capsule));
     EXPECT_FALSE(contains(element_with(Kind::cylinder, {0, 0, 9}, 9), capsule));
     EXPECT_FALSE(contains(element_with(Kind::sphere, {}, 9), capsule));
@@ -128,10 +128,10 @@ TEST(OpenTriangles, AreThoseThatNoElementContains) {
 }
 
 TEST(ElementCertificate, APartThatIsContainedProvesNothingOfOthers) {
-    const Primitive ball{Primitive::Kind::sphere, {}, 0.3, 0}, cylinder{Primitive::Kind::cylinder, {}, 0.3, 1};
+    const Element ball = Element::sphere(0.3), cylinder = Element::cylinder(0.3, 1);
     Pose right;
     right.translation = {2, 0, 0};
-    for (const Primitive& p : {ball, cylinder}) {
+    for (const Element& p : {ball, cylinder}) {
         Element left{.kind = Kind::cylinder, .half = {0, 0, 0.5}, .radius = 0.3}, both = left;
         both.pose = right;
         const std::vector<Element> one{left}, two{left, both};
@@ -240,7 +240,7 @@ std::vector<Element> plates_on(const Mesh& mesh, double depth, double wider) {
 }
 
 TEST(ElementCertificate, WhatLiesBeneathTheTrianglesOfARoundSideCounts) {
-    const auto round = test::primitive_solid({Primitive::Kind::cylinder, {}, 1, 0.1});
+    const auto round = test::primitive_solid(Element::cylinder(1, 0.1));
     const auto flat = Solid::make(round->surface()); // the same triangles
     const std::vector<Element> thin = plates_on(round->surface(), 1e-6, 1.01), deep = plates_on(round->surface(), 0.01, 1.2);
     EXPECT_TRUE(covers(*flat, Elements(thin)));

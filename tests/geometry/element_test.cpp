@@ -15,10 +15,10 @@ Element random_element(Kind kind, Random& random) {
     e.kind = kind;
     e.pose = test::random_pose(random, 1);
     const auto length = [&] { return random.uniform(0.1, 1); };
-    e.radius = kind == Kind::box || kind == Kind::hull ? 0 : length();
+    e.radius = kind == Kind::box || kind == Kind::hull || kind == Kind::ellipsoid ? 0 : length();
     if (kind == Kind::capsule || kind == Kind::cylinder) {
         e.half.z = length();
-    } else if (kind == Kind::box || kind == Kind::swept_box) {
+    } else if (kind == Kind::box || kind == Kind::swept_box || kind == Kind::ellipsoid) {
         e.half = {length(), length(), length()};
     } else if (kind == Kind::hull) {
         std::vector<Vec3> points;
@@ -36,7 +36,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull),
+                                           Kind::hull, Kind::ellipsoid),
                          [](const auto& kind) { return to_string(kind.param); });
 
 TEST_P(EveryKind, WordsNameKinds) {

@@ -1,8 +1,7 @@
 // Hollow geometry with its inside filled, and solids that are made in haste.
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include <gtest/gtest.h>
 

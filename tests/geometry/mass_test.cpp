@@ -1,7 +1,7 @@
 // Volume, centre and inertia of solids against formulas.
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double density = 1000;
 
-std::shared_ptr<const Solid> solid_of(const Primitive& primitive, const Pose& pose = {}) {
+std::shared_ptr<const Solid> solid_of(const Element& primitive, const Pose& pose = {}) {
     return Solid::make({{nullptr, primitive, pose}});
 }
 
@@ -44,7 +44,7 @@ const Pose turned = Pose::from_xyz_rpy({3, -2, 7}, {0.3, -1.1, 2});
 const Vec3 size{1, 2, 0.5};
 
 TEST(Mass, OfABoxAsPrimitiveAndAsMesh) {
-    const Primitive box{.kind = Primitive::Kind::box, .size = size};
+    const Element box = Element::box(size);
     expect_near(mass_properties(*solid_of(box, turned), density), of_box(size, turned), 1e-13);
     expect_near(mass_properties(*Solid::make(transformed(enclosing_mesh(box), turned)), density), of_box(size, turned),
                 1e-13);
@@ -53,26 +53,26 @@ TEST(Mass, OfABoxAsPrimitiveAndAsMesh) {
 }
 
 TEST(Mass, OfRoundPrimitivesAsFineMeshes) {
-    for (const Primitive& primitive : {Primitive{.kind = Primitive::Kind::sphere, .radius = 0.3},
-                                       Primitive{.kind = Primitive::Kind::cylinder, .radius = 0.3, .length = 0.8},
-                                       Primitive{.kind = Primitive::Kind::capsule, .radius = 0.3, .length = 0.8}}) {
+    for (const Element& primitive : {Element::sphere(0.3),
+                                       Element::cylinder(0.3, 0.8),
+                                       Element::capsule(0.3, 0.8)}) {
         const auto of_mesh =
             mass_properties(*Solid::make(transformed(enclosing_mesh(primitive, 400), turned)), density);
         ASSERT_TRUE(of_mesh);
         expect_near(mass_properties(*solid_of(primitive, turned), density), *of_mesh, 1e-3);
     }
-    const auto ball = mass_properties(*solid_of({.kind = Primitive::Kind::sphere, .radius = 0.5}), 2);
+    const auto ball = mass_properties(*solid_of(Element::sphere(0.5)), 2);
     ASSERT_TRUE(ball);
     EXPECT_DOUBLE_EQ(ball->mass, std::numbers::pi / 3);
     EXPECT_DOUBLE_EQ(ball->inertia[1], 0.4 * ball->mass * 0.25);
 }
 
 TEST(Mass, OfPartsIsThatOfTheirUnion) {
-    const Primitive half{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
+    const Element half = Element::box({1, 1, 1});
     const MassProperties whole = of_box({2, 1, 1}, {});
     const Pose left{Pose{}.rotation, {-0.5, 0, 0}}, right{Pose{}.rotation, {0.5, 0, 0}};
     expect_near(mass_properties(*Solid::make({{nullptr, half, left}, {nullptr, half, right}}), density), whole, 1e-9);
-    const Primitive most{.kind = Primitive::Kind::box, .size = {1.5, 1, 1}};
+    const Element most = Element::box({1.5, 1, 1});
     const Pose more_left{Pose{}.rotation, {-0.25, 0, 0}}, more_right{Pose{}.rotation, {0.25, 0, 0}};
     expect_near(mass_properties(*Solid::make({{nullptr, most, more_left}, {nullptr, most, more_right}}), density),
                 whole, 2e-2);
@@ -80,7 +80,7 @@ TEST(Mass, OfPartsIsThatOfTheirUnion) {
 
 TEST(Mass, IsThatAboutTheCenterOfMass) {
     const auto at = [](double x, double length) {
-        return Solid::Part{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {length, 1, 1}},
+        return Solid::Part{nullptr, Element::box({length, 1, 1}),
                            Pose{Pose{}.rotation, {x, 1, 0}}};
     };
     MassProperties expected;

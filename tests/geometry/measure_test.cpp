@@ -2,9 +2,9 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // What a filter did: distances in both directions, volumes, defects.
 #include "plain_shapes.hpp"
 
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <gtest/gtest.h>
 

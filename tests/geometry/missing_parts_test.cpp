@@ -1,7 +1,7 @@
 // The volume outside of balls that change one by one is that of the balls at once.
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/missing_parts.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
 
 #include <gtest/gtest.h>
 

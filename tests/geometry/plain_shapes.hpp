@@ -9,7 +9,7 @@
 namespace foam::test {
 
 inline Mesh box(const Vec3& low, const Vec3& high) {
-    Mesh mesh = enclosing_mesh({Primitive::Kind::box, high - low, 0, 0});
+    Mesh mesh = enclosing_mesh(Element::box(high - low));
     for (Vec3& v : mesh.vertices) {
         v += (low + high) * 0.5;
     }
@@ -90,7 +90,14 @@ inline Box enlarged(Box box, double by) {
     return box;
 }
 
-inline std::shared_ptr<const Solid> primitive_solid(const Primitive& primitive, const Pose& pose = {}) {
+/// Returns a sphere, capsule or cylinder; the length is that of the latter two.
+inline Element round_element(Element::Kind kind, double radius, double length) {
+    Element element{.kind = kind, .radius = radius};
+    element.half.z = kind == Element::Kind::sphere ? 0 : length / 2;
+    return element;
+}
+
+inline std::shared_ptr<const Solid> primitive_solid(const Element& primitive, const Pose& pose = {}) {
     return Solid::make(std::vector<Solid::Part>{{nullptr, primitive, pose}});
 }
 

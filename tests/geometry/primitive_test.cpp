@@ -10,17 +10,17 @@ using namespace foam::test;
 
 namespace {
 
-const std::vector<Primitive> primitives{{Primitive::Kind::box, {1, 2, 3}, 0, 0},
-                                        {Primitive::Kind::sphere, {}, 0.7, 0},
-                                        {Primitive::Kind::cylinder, {}, 0.4, 1.5},
-                                        {Primitive::Kind::capsule, {}, 0.4, 1.5},
-                                        {Primitive::Kind::capsule, {}, 0.4, 0}};
+const std::vector<Element> primitives{Element::box({1, 2, 3}),
+                                        Element::sphere(0.7),
+                                        Element::cylinder(0.4, 1.5),
+                                        Element::capsule(0.4, 1.5),
+                                        Element::capsule(0.4, 0)};
 
 } // namespace
 
 TEST(Primitives, TessellationEnclosesAndIsClosed) {
     Random random(1);
-    for (const Primitive& primitive : primitives) {
+    for (const Element& primitive : primitives) {
         for (const int segments : {3, 5, 8, 48}) {
             const Mesh mesh = enclosing_mesh(primitive, segments);
             const Topology t = topology(mesh);
@@ -36,7 +36,7 @@ TEST(Primitives, TessellationEnclosesAndIsClosed) {
 }
 
 TEST(Primitives, DefaultTessellationIsClose) {
-    for (const Primitive& primitive : primitives) {
+    for (const Element& primitive : primitives) {
         const auto solid = primitive_solid(primitive);
         EXPECT_NEAR(signed_volume(solid->surface()) / solid->volume(), 1, 0.01);
     }
@@ -57,7 +57,7 @@ TEST(Primitives, IcospheresLieWithinTheBall) {
 
 TEST(Primitives, SignedDistanceIsTheDistanceToTheSurface) {
     Random random(2);
-    for (const Primitive& primitive : primitives) {
+    for (const Element& primitive : primitives) {
         const Pose pose = random_pose(random, 2);
         const auto exact = primitive_solid(primitive, pose);
         const auto fine = Solid::make(transformed(enclosing_mesh(primitive, 400), pose));
@@ -71,7 +71,7 @@ TEST(Primitives, SignedDistanceIsTheDistanceToTheSurface) {
 
 TEST(Primitives, LinesEndOnTheSurface) {
     Random random(3);
-    for (const Primitive& primitive : primitives) {
+    for (const Element& primitive : primitives) {
         const auto solid = primitive_solid(primitive, random_pose(random, 2));
         int hits = 0;
         for (int i = 0; i < 300; ++i) {
@@ -88,7 +88,7 @@ TEST(Primitives, LinesEndOnTheSurface) {
         }
         EXPECT_GT(hits, 30);
     }
-    const auto cylinder = primitive_solid({Primitive::Kind::cylinder, {}, 1, 2});
+    const auto cylinder = primitive_solid(Element::cylinder(1, 2));
     ASSERT_EQ(cylinder->inside_along({0.5, 0, -5}, {0, 0, 1}).size(), 1u);
     EXPECT_NEAR(cylinder->inside_along({0.5, 0, -5}, {0, 0, 1})[0].enter, 4, 1e-12);
     EXPECT_TRUE(cylinder->inside_along({1.5, 0, -5}, {0, 0, 1}).empty());

@@ -22,8 +22,8 @@ std::vector<Sphere> balls_of(const BallRow& row) {
 }
 
 /// How far points of the primitive's outline are outside of the balls; negative: all are deeper than that.
-double gap(const Primitive& primitive, const std::vector<Sphere>& balls) {
-    const double half = primitive.length / 2;
+double gap(const Element& primitive, const std::vector<Sphere>& balls) {
+    const double half = primitive.half.z;
     double worst = -std::numeric_limits<double>::infinity();
     const auto look = [&](double across, double z) {
         double nearest = std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ double gap(const Primitive& primitive, const std::vector<Sphere>& balls) {
     for (int i = 0; i <= 10'000; ++i) {
         const double t = i / 10'000.0;
         look(primitive.radius, (2 * t - 1) * half);
-        if (primitive.kind == Primitive::Kind::capsule) {
+        if (primitive.kind == Element::Kind::capsule) {
             const double angle = t * std::numbers::pi / 2;
             look(primitive.radius * std::cos(angle), half + primitive.radius * std::sin(angle));
         } else {
@@ -48,11 +48,11 @@ double gap(const Primitive& primitive, const std::vector<Sphere>& balls) {
 } // namespace
 
 TEST(RowCover, HoldsJustWhatItMust) {
-    for (const auto kind : {Primitive::Kind::cylinder, Primitive::Kind::capsule}) {
+    for (const auto kind : {Element::Kind::cylinder, Element::Kind::capsule}) {
         for (const double length : {0.1, 1.0, 7.0}) {
             for (const std::size_t count : {1, 2, 3, 8, 30}) {
-                const Primitive primitive{kind, {}, 0.5, length};
-                const BallRow row = kind == Primitive::Kind::capsule ? row_around_capsule(0.5, length, count)
+                const Element primitive = round_element(kind, 0.5, length);
+                const BallRow row = kind == Element::Kind::capsule ? row_around_capsule(0.5, length, count)
                                                                      : row_around_cylinder(0.5, length, count);
                 EXPECT_EQ(row.count, count);
                 EXPECT_NEAR(gap(primitive, balls_of(row)), 0, 1e-6) << "length " << length << ", " << count;
@@ -69,9 +69,9 @@ TEST(RowCover, HoldsJustWhatItMust) {
 
 TEST(RowCover, IsProvedAsItIs) {
     Random random(5);
-    for (const auto kind : {Primitive::Kind::cylinder, Primitive::Kind::capsule}) {
+    for (const auto kind : {Element::Kind::cylinder, Element::Kind::capsule}) {
         for (const double length : {0.02, 0.3, 4.0}) {
-            const auto solid = primitive_solid({kind, {}, 0.1, length}, random_pose(random, 2));
+            const auto solid = primitive_solid(round_element(kind, 0.1, length), random_pose(random, 2));
             double least = std::numeric_limits<double>::infinity();
             for (const std::size_t most : {1, 3, 12}) {
                 const auto row = row_cover(*solid, most);
@@ -89,6 +89,6 @@ TEST(RowCover, IsProvedAsItIs) {
 
 TEST(RowCover, NothingForOtherSolids) {
     EXPECT_FALSE(row_cover(*Solid::make(box({0, 0, 0}, {1, 1, 1})), 4));
-    EXPECT_FALSE(row_cover(*primitive_solid({Primitive::Kind::box, {1, 2, 3}, 0, 0}), 4));
-    EXPECT_FALSE(row_cover(*primitive_solid({Primitive::Kind::sphere, {}, 1, 0}), 4));
+    EXPECT_FALSE(row_cover(*primitive_solid(Element::box({1, 2, 3})), 4));
+    EXPECT_FALSE(row_cover(*primitive_solid(Element::sphere(1)), 4));
 }

@@ -1,7 +1,7 @@
 // Triangles that pass through each other, and triangles that only touch.
 #include "shapes.hpp"
 
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <gtest/gtest.h>
 

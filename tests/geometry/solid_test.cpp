@@ -72,8 +72,8 @@ TEST(Solid, RefusesWhatIsNoSolid) {
     bad = box({0, 0, 0}, {1, 1, 1});
     bad.triangles[3][1] = 99;
     EXPECT_THROW(Solid::make(bad), Error);
-    EXPECT_THROW(primitive_solid({Primitive::Kind::sphere, {}, -1, 0}), Error);
-    EXPECT_THROW(primitive_solid({Primitive::Kind::box, {1, 0, 1}, 0, 0}), Error);
+    EXPECT_THROW(primitive_solid(Element::sphere(-1)), Error);
+    EXPECT_THROW(primitive_solid(Element::box({1, 0, 1})), Error);
 }
 
 TEST(Solid, UnitCube) {
@@ -217,7 +217,7 @@ TEST(Solid, OffsetsOfParts) {
     const auto mesh = std::make_shared<const Mesh>(box({0, 0, 0}, {1, 1, 1}));
     const auto solid = Solid::make(std::vector<Solid::Part>{
         {mesh, std::nullopt, {}},
-        {nullptr, Primitive{Primitive::Kind::sphere, {}, 0.5, 0}, Pose::from_xyz_rpy({4, 0, 0}, {})}});
+        {nullptr, Element::sphere(0.5), Pose::from_xyz_rpy({4, 0, 0}, {})}});
     const auto offsets = solid->part_offsets();
     ASSERT_EQ(offsets.size(), 3u);
     EXPECT_EQ(offsets[1], 12u);

@@ -1,7 +1,7 @@
 // Runs of triangles that are close together, with a ball around each.
 #include "geometry/shapes.hpp"
 
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
 
 #include <gtest/gtest.h>
@@ -167,8 +167,8 @@ TEST(SurfaceRuns, OfTinyAndHugeOnes) {
 
 TEST(SurfaceRuns, ABallContainsNoneOfACurvedPrimitive) {
     // The triangles of a sphere or cylinder lie inside of it: what contains them may not contain the primitive.
-    const Primitive cylinder{Primitive::Kind::cylinder, {}, 0.1, 1}, block{Primitive::Kind::box, {1, 1, 1}, 0, 0};
-    const auto infinite = [](const Primitive& primitive) {
+    const Element cylinder = Element::cylinder(0.1, 1), block = Element::box({1, 1, 1});
+    const auto infinite = [](const Element& primitive) {
         const auto solid = Solid::make(
             std::vector<Solid::Part>{{std::make_shared<const Mesh>(enclosing_mesh(primitive)), primitive, {}}});
         const SurfaceRuns& runs = surface_runs(*solid);
@@ -189,7 +189,7 @@ TEST(SurfaceRuns, OnlyBallsWithATriangleOfACurvedPrimitiveAreInfinite) {
     const auto left = std::make_shared<const Mesh>(ball({}, 1, 12)),
                right = std::make_shared<const Mesh>(ball({99, 0, 0}, 1, 12));
     const auto solid = Solid::make({{left, std::nullopt, {}},
-                                    {nullptr, Primitive{Primitive::Kind::cylinder, {}, 1, 1}, middle},
+                                    {nullptr, Element::cylinder(1, 1), middle},
                                     {right, std::nullopt, {}}});
     const std::span<const std::uint32_t> offsets = solid->part_offsets();
     const SurfaceRuns& runs = surface_runs(*solid);

@@ -2,9 +2,9 @@
 #include "geometry/shapes.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/internal/union_parts.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(Volume, OverlappingBoxes) {
 TEST(Volume, PrimitiveInMesh) {
     const auto solid = Solid::make(std::vector<Solid::Part>{
         mesh_part(box({-1, -1, -1}, {1, 1, 1})),
-        {nullptr, Primitive{Primitive::Kind::sphere, {}, 0.5, 0}, Pose::from_xyz_rpy({1, 0, 0}, {})}});
+        {nullptr, Element::sphere(0.5), Pose::from_xyz_rpy({1, 0, 0}, {})}});
     EXPECT_NEAR(solid->volume(), 8 + 2 / 3.0 * pi * 0.125, 5e-3);
     EXPECT_TRUE(solid->contains({1.4, 0, 0}));
     EXPECT_FALSE(solid->contains({1.4, 0.4, 0}));

@@ -4,11 +4,10 @@
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/cell.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/mesh_change.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/mesh_checks.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <gmock/gmock.h>

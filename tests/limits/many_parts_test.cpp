@@ -4,7 +4,7 @@
 #include "support/sanitizers.hpp"
 
 #include <foam/base/random.hpp>
-#include <foam/geometry/internal/cavities.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <fmt/format.h>
@@ -29,10 +29,10 @@ std::vector<Solid::Part> mixed_parts(std::size_t count) {
         const double size = 0.05 + 0.2 * random.uniform();
         Solid::Part part;
         if (i % 4 == 0) {
-            part.primitive = Primitive{.kind = Primitive::Kind::box, .size = {size, size, size}};
+            part.primitive = Element::box({size, size, size});
             part.pose.translation = at;
         } else if (i % 4 == 1) {
-            part.primitive = Primitive{.kind = Primitive::Kind::sphere, .radius = size / 2};
+            part.primitive = Element::sphere(size / 2);
             part.pose.translation = at;
         } else {
             Mesh mesh = tetrahedron(at, size);
@@ -91,7 +91,7 @@ TEST(ManyParts, VolumesAddUpWhereTheyDoNotOverlap) {
     std::vector<Solid::Part> parts;
     for (int i = 0; i < 1000; ++i) {
         Solid::Part part;
-        part.primitive = Primitive{.kind = Primitive::Kind::box, .size = {0.5, 0.5, 0.5}};
+        part.primitive = Element::box({0.5, 0.5, 0.5});
         part.pose.translation = {static_cast<double>(i % 10), static_cast<double>(i / 10 % 10), i / 100.0};
         part.pose.translation.z = i / 100;
         parts.push_back(part);

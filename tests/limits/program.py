@@ -1,4 +1,5 @@
 """Runs foam and says how long it took; what it may leave behind is checked."""
+import concurrent.futures
 import os
 import pathlib
 import subprocess
@@ -11,6 +12,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 # s beyond what foam promises: for machines that have other things to do.
 SLACK = float(os.environ.get("FOAM_TEST_SLACK", "2"))
 SKIPPED = 77
+CORES = os.cpu_count() or 1
 
 
 class Ended:
@@ -34,6 +36,12 @@ def run(folder, arguments, timeout):
         process.kill()
         _, err = process.communicate()
     return Ended(process.returncode, err, time.monotonic() - begin)
+
+
+def side_by_side(function, cases, at_a_time):
+    """Yields function(*case) in the order of the cases, so many at a time; without slack, one by one."""
+    with concurrent.futures.ThreadPoolExecutor(at_a_time if SLACK >= 1 else 1) as pool:
+        yield from pool.map(lambda case: function(*case), cases)
 
 
 def half_written(folder):

@@ -98,20 +98,28 @@ def outcome(folder, arguments, delay):
     return "stopped" if process.returncode == 130 else f"exit code {process.returncode}:\n{err}"
 
 
+def stopped(name, arguments):
+    """Stops one command after each delay, until it ends by itself before. Returns what came of each, by delay."""
+    outcomes = []
+    for delay in DELAYS:
+        with tempfile.TemporaryDirectory() as folder:
+            what = outcome(pathlib.Path(folder), arguments, delay)
+        if what == "ended":
+            break
+        outcomes.append((f"{name}, after {delay} s", what))
+    return outcomes
+
+
 def main():
     failed = stops = 0
     with tempfile.TemporaryDirectory() as place:
-        place = pathlib.Path(place)
-        for name, arguments in commands(place):
-            for delay in DELAYS:
-                with tempfile.TemporaryDirectory() as folder:
-                    what = outcome(pathlib.Path(folder), arguments, delay)
-                if what == "ended":
-                    break
+        # Half of the commands use one core; the next one is made while others run.
+        for outcomes in program.side_by_side(stopped, commands(pathlib.Path(place)), min(3, program.CORES + 1)):
+            for name, what in outcomes:
                 stops += what == "stopped"
                 wrong = what not in ("stopped", "not handled")
                 failed += wrong
-                print(f"{name}, after {delay} s: {'FAILED: ' if wrong else ''}{what}", flush=True)
+                print(f"{name}: {'FAILED: ' if wrong else ''}{what}", flush=True)
     if stops < 10:
         print(f"FAILED: only {stops} runs were stopped")
         return 1

@@ -11,8 +11,8 @@
 namespace foam::test {
 namespace {
 
-const Primitive& primitive(const Robot& robot, std::size_t index) {
-    return std::get<Primitive>(robot.links.at(0).collisions.at(index).geometry);
+const Element& primitive(const Robot& robot, std::size_t index) {
+    return std::get<Element>(robot.links.at(0).collisions.at(index).geometry);
 }
 
 TEST(LoadUrdf, ReadsEveryPrimitive) {
@@ -23,10 +23,10 @@ TEST(LoadUrdf, ReadsEveryPrimitive) {
         <collision><geometry><capsule radius="0.1" length="0"/></geometry></collision>
     </link></robot>)");
     ASSERT_EQ(robot.links[0].collisions.size(), 4u);
-    EXPECT_EQ(primitive(robot, 0), (Primitive{.kind = Primitive::Kind::box, .size = {1, 2, 3}}));
-    EXPECT_EQ(primitive(robot, 1), (Primitive{.kind = Primitive::Kind::sphere, .radius = 0.25}));
-    EXPECT_EQ(primitive(robot, 2), (Primitive{.kind = Primitive::Kind::cylinder, .radius = 0.5, .length = 2}));
-    EXPECT_EQ(primitive(robot, 3), (Primitive{.kind = Primitive::Kind::capsule, .radius = 0.1, .length = 0}));
+    EXPECT_EQ(primitive(robot, 0), (Element::box({1, 2, 3})));
+    EXPECT_EQ(primitive(robot, 1), (Element::sphere(0.25)));
+    EXPECT_EQ(primitive(robot, 2), (Element::cylinder(0.5, 2)));
+    EXPECT_EQ(primitive(robot, 3), (Element::capsule(0.1, 0)));
 }
 
 TEST(LoadUrdf, OriginMayLackAnyPart) {

@@ -40,11 +40,11 @@ protected:
     static fs::path folder() { return shared_folder() / "robots"; }
 };
 
-std::size_t count(const Robot& robot, Primitive::Kind kind) {
+std::size_t count(const Robot& robot, Element::Kind kind) {
     std::size_t result = 0;
     for (const Link& link : robot.links) {
         for (const GeometryElement& element : link.collisions) {
-            const Primitive* primitive = std::get_if<Primitive>(&element.geometry);
+            const Element* primitive = std::get_if<Element>(&element.geometry);
             result += primitive && primitive->kind == kind;
         }
     }
@@ -67,9 +67,9 @@ TEST_P(SharedRobot, LoadsWholeWithAndWithoutEnvironment) {
         EXPECT_EQ(robot.source, text);
         EXPECT_EQ(robot.links.size(), expected.links);
         EXPECT_EQ(robot.joints.size(), expected.joints);
-        EXPECT_EQ(count(robot, Primitive::Kind::sphere), expected.spheres);
-        EXPECT_EQ(count(robot, Primitive::Kind::cylinder), expected.cylinders);
-        EXPECT_EQ(count(robot, Primitive::Kind::box), expected.boxes);
+        EXPECT_EQ(count(robot, Element::Kind::sphere), expected.spheres);
+        EXPECT_EQ(count(robot, Element::Kind::cylinder), expected.cylinders);
+        EXPECT_EQ(count(robot, Element::Kind::box), expected.boxes);
         std::size_t meshes = 0, visuals = 0, movable = 0;
         for (const Link& link : robot.links) {
             visuals += link.visuals.size();

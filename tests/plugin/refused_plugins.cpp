@@ -2,7 +2,7 @@
 // same.
 #include "cli/program.hpp"
 
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <algorithm>

@@ -8,7 +8,8 @@ import sys
 import tempfile
 
 SKIPPED = 77
-NEEDED = {"arrays_test.py": ["hypothesis"]}
+OF_BENCH = ["pandas", "matplotlib", "yaml"]
+NEEDED = {"arrays_test.py": ["hypothesis"], **{f"bench_{part}_test.py": OF_BENCH for part in ("parts", "reading", "running")}}
 
 if __name__ == "__main__":
     file = sys.argv[1]

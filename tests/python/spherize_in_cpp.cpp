@@ -26,12 +26,12 @@ int main(int argc, char** argv) {
     file.read(reinterpret_cast<char*>(mesh.triangles.data()),
               static_cast<std::streamsize>(counts[1] * sizeof(foam::Triangle)));
     const std::string effort = argv[3];
-    foam::SpherizeOptions options;
+    foam::CoverOptions options;
     options.effort = effort == "fast"   ? foam::Effort::fast
                      : effort == "best" ? foam::Effort::best
                                         : foam::Effort::normal;
     double least = 1e9;
-    foam::Cover cover;
+    foam::SphereCover cover;
     for (int i = 0; i < std::stoi(argv[4]); ++i) {
         const auto start = std::chrono::steady_clock::now();
         cover = foam::spherize(mesh, std::stoul(argv[2]), options);

@@ -146,7 +146,7 @@ def test_objects_with_vertices_and_faces_are_meshes():
     (lambda: foam.spherize(box(), 10**9), foam.UsageError, "1 to 1000000"),
     (lambda: foam.spherize(box(), 1.5), TypeError, "integer"),
     (lambda: foam.spherize(box(), 1, effort="fsat"), foam.UsageError, "fast, normal, best"),
-    (lambda: foam.spherize(box(), 1, objective="beauty"), foam.UsageError, "excess, protrusion, radius"),
+    (lambda: foam.spherize(box(), 1, objective="beauty"), foam.UsageError, "excess, mean_protrusion, protrusion, radius"),
     (lambda: foam.spherize(box(), 1, seed=-1), foam.UsageError, "seed"),
     (lambda: foam.spherize(box(), 1, time_limit=float("nan")), foam.UsageError, "time_limit"),
     (lambda: foam.spherize((box()[0], np.zeros((0, 3), int)), 1), foam.GeometryError, "no triangle"),
@@ -203,7 +203,7 @@ def test_convex_elements_cover_the_mesh():
     (element,) = cover.elements
     assert element["kind"] == "box" and sorted(element["size"]) == pytest.approx([1, 2, 3], rel=1e-6)
     assert cover.certified is True and cover.excess < 1e-3 and cover.volume == pytest.approx(6, rel=1e-3)
-    assert repr(cover) == "<foam.ConvexCover: 1 box, surface certified>"
+    assert repr(cover) == "<foam.Cover: 1 box, surface certified>"
     assert cover.missing == 0
 
 
@@ -215,7 +215,26 @@ def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
     assert (again.missing, again.excess) == (cover.missing, cover.excess)
 
 
-@pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull"])
+def test_points_with_radii():
+    points = np.random.default_rng(1).uniform(-1, 1, (50, 3))
+    cover = foam.cover(points, 4, "capsule", radii=0.05, effort="fast")
+    assert cover.certified and 1 <= len(cover) <= 4 and cover.missing == 0
+    same = foam.cover(points, 4, ["capsule"], radii=np.full(50, 0.05), effort="fast")
+    assert same == cover
+    assert foam.cover(points, 8, radii=0, effort="fast").certified
+    with pytest.raises(foam.GeometryError, match="radii that are not negative"):
+        foam.cover(points, 4, radii=-1.0)
+    with pytest.raises(foam.InputError):
+        foam.cover(points[:, :2], 4, radii=0.1)
+    with pytest.raises(foam.UsageError, match="spheres alone"):
+        foam.cover(points, 4, "box", radii=0.1, objective="radius")
+
+
+def test_cover_of_spheres_is_that_of_spherize():
+    assert foam.cover(wavy(100), 5, effort="fast") == foam.spherize(wavy(100), 5, effort="fast")
+
+
+@pytest.mark.parametrize("kind", ["sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid"])
 def test_elements_of_each_kind(kind):
     mesh = wavy(600)
     cover = foam.approximate(mesh, 3, kind, effort="fast")

@@ -58,7 +58,7 @@ TEST_P(EveryKind, ShapesHoldTheElement) {
             box.add(shape.pose * vertex);
         }
     } else {
-        for (const Vec3& vertex : enclosing_mesh(std::get<Primitive>(shape.geometry)).vertices) {
+        for (const Vec3& vertex : enclosing_mesh(std::get<Element>(shape.geometry)).vertices) {
             box.add(shape.pose * vertex);
         }
     }

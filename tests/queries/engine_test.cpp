@@ -21,12 +21,12 @@ namespace {
 using ::testing::HasSubstr;
 using State = EngineAnswer::State;
 
-Primitive ball(double radius) {
-    return {Primitive::Kind::sphere, {}, radius, 0};
+Element ball(double radius) {
+    return Element::sphere(radius);
 }
 
-Primitive box(const Vec3& size) {
-    return {Primitive::Kind::box, size, 0, 0};
+Element box(const Vec3& size) {
+    return Element::box(size);
 }
 
 Pose at(const Vec3& p) {
@@ -186,7 +186,7 @@ TEST_P(EveryEngine, AFlatMesh) {
 }
 
 TEST_P(EveryEngine, CylindersAndCapsules) {
-    const Primitive cylinder{Primitive::Kind::cylinder, {}, 0.1, 0.4}, capsule{Primitive::Kind::capsule, {}, 0.1, 0.4};
+    const Element cylinder = Element::cylinder(0.1, 0.4), capsule = Element::capsule(0.1, 0.4);
     EngineProblem problem = problem_of({{{}, cylinder}}, {{{}, ball(0.05)}});
     problem.models[1].bodies[0] = {{{}, capsule}};
     const Pose away = at({0, 0, 7});

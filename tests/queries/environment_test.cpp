@@ -54,7 +54,7 @@ TEST(Environment, BodyBounds) {
     EngineRobot robot;
     Pose up;
     up.translation = {0, 0, 1};
-    robot.bodies = {{{up, Primitive{Primitive::Kind::box, {2, 4, 6}, 0, 0}}}};
+    robot.bodies = {{{up, Element::box({2, 4, 6})}}};
     EXPECT_EQ(body_bounds(robot)[0].low, (Vec3{-1, -2, -2}));
 }
 
@@ -69,8 +69,8 @@ TEST(Environment, SameSeedSameObstaclesWithinBounds) {
         const Obstacle& o = first[i];
         EXPECT_EQ(o.pose, second[i].pose);
         EXPECT_EQ(o.shape, second[i].shape);
-        EXPECT_EQ(o.shape.kind, i % 2 == 0 ? Primitive::Kind::box : Primitive::Kind::sphere);
-        const double edge = i % 2 == 0 ? o.shape.size.x : 2 * o.shape.radius;
+        EXPECT_EQ(o.shape.kind, i % 2 == 0 ? Element::Kind::box : Element::Kind::sphere);
+        const double edge = i % 2 == 0 ? 2 * o.shape.half.x : 2 * o.shape.radius;
         EXPECT_TRUE(edge >= 0.1 && edge <= 0.2);
         const Vec3& c = o.pose.translation;
         EXPECT_TRUE(std::abs(c.x) <= 1 && std::abs(c.y) <= 1 && c.z >= 0 && c.z <= 1);

@@ -1,4 +1,4 @@
-#include <foam/report/bar_scale.hpp>
+#include <foam/report/html_page.hpp>
 
 #include <gtest/gtest.h>
 

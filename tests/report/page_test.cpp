@@ -1,9 +1,9 @@
 // Pages that need no other file.
 #include "fixture.hpp"
 #include "report/src/embedded_resources.hpp"
-#include "report/src/page.hpp"
+#include "report/src/sections.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 #include <foam/report/html_page.hpp>
 
 namespace foam::test {

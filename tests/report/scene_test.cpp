@@ -1,7 +1,7 @@
 // What the viewer draws: meshes on a grid, spheres as floats.
 #include "fixture.hpp"
 
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 
 namespace foam::test {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 using namespace report;
 
 Mesh ball(int segments) {
-    return enclosing_mesh({.kind = Primitive::Kind::sphere, .radius = 0.3}, segments);
+    return enclosing_mesh(Element::sphere(0.3), segments);
 }
 
 SceneLink link_of(const std::string& name, Mesh mesh) {

@@ -4,7 +4,6 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/runtime/cache.hpp>
 #include <foam/runtime/internal/cache.hpp>
-#include <foam/runtime/internal/digest.hpp>
 
 #include <gtest/gtest.h>
 

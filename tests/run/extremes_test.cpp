@@ -1,12 +1,12 @@
 // Geometry of extreme size, place and form through whole runs: a proof or a clear error, in bounded time.
-#include "runtime/src/input/own_frame.hpp"
+#include "runtime/src/input/inputs.hpp"
 #include "support/runs.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
@@ -297,9 +297,9 @@ TEST_F(Extremes, AProgramsSolidsAreTreatedAlike) {
     for (const double edge : {1e-11, 1e8}) {
         const auto solid = Solid::make(cube(edge, {100 * edge, 0, 1e5 * edge}));
         for (const Effort effort : {Effort::fast, Effort::normal}) {
-            SpherizeOptions options;
+            CoverOptions options;
             options.effort = effort;
-            const Cover cover = spherize(*solid, 4, options);
+            const SphereCover cover = spherize(*solid, 4, options);
             EXPECT_TRUE(certify(*solid, cover.spheres).holds);
             EXPECT_TRUE(cover.certificate.holds);
             EXPECT_LT(cover.volume, 4 * edge * edge * edge);
@@ -331,9 +331,8 @@ TEST_F(Extremes, ElementsThatOnlyJustOverlapAreProved) {
 /// Boxes whose rounded numbers were not proved, before they were grown until they are.
 TEST(ExtremesOfNumbers, BoxesThatOverlapByAMillionthAreProved) {
     const auto solid = Solid::make(std::vector<Solid::Part>{
-        {nullptr, Primitive{.kind = Primitive::Kind::capsule, .radius = 0.1, .length = 0.3}, Pose{}}});
-    const Element::Kind kinds[] = {Element::Kind::box};
-    ApproximationSearch search(*solid, kinds, {});
+        {nullptr, Element::capsule(0.1, 0.3), Pose{}}});
+    CoverSearch search(*solid, {.kinds = {Element::Kind::box}});
     for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8}) {
         SphereTree tree;
         tree.levels.push_back({search.cover(count).elements});

@@ -5,8 +5,8 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <gtest/gtest.h>
@@ -365,7 +365,7 @@ TEST(FinishedTree, NoWrongVolumeIsBelowZero) {
     Random random(5);
     for (int round = 0; round < 100; ++round) {
         const double radius = random.uniform(0.1, 1);
-        const auto solid = test::primitive_solid({Primitive::Kind::sphere, {}, radius, 0});
+        const auto solid = test::primitive_solid(Element::sphere(radius));
         for (const Guarantee guarantee : {Guarantee::outer, Guarantee::inner, Guarantee::fitted}) {
             EXPECT_GE(cost_volume(*solid, {{{}, radius}}, guarantee), 0);
         }

@@ -2,7 +2,7 @@
 #include "small_robot.hpp"
 #include "support/read_spheres.hpp"
 
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 namespace foam {
 namespace {

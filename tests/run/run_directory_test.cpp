@@ -2,9 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/runtime/internal/debug.hpp>
-#include <foam/runtime/internal/run_directory.hpp>
-#include <foam/runtime/internal/unfinished.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <gtest/gtest.h>
 

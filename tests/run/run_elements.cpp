@@ -44,11 +44,11 @@ std::shared_ptr<const Solid> base() {
     Pose pose;
     pose.translation = {0, 0, 0.1};
     return Solid::make(
-        std::vector<Solid::Part>{{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {0.4, 0.2, 0.2}}, pose}});
+        std::vector<Solid::Part>{{nullptr, Element::box({0.4, 0.2, 0.2}), pose}});
 }
 
 TEST_F(RunElements, OfEveryKindAreProvedOnTheNumbersReadBack) {
-    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "each"}) {
+    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", "each"}) {
         for (const char* turned : {"false", "true"}) {
             const std::string parameters = std::string("kind: ") + kind + ", turned: " + turned;
             SCOPED_TRACE(parameters);
@@ -67,7 +67,7 @@ TEST_F(RunElements, OfEveryKindAreProvedOnTheNumbersReadBack) {
 }
 
 TEST_F(RunElements, ThatFallShortGrow) {
-    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "each"}) {
+    for (const char* kind : {"capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", "each"}) {
         SCOPED_TRACE(kind);
         const RunResult result = made(std::string("kind: ") + kind + ", short_by: 0.05");
         EXPECT_TRUE(result.certified);

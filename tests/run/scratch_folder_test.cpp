@@ -3,7 +3,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 
 #include <gmock/gmock.h>

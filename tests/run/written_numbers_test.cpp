@@ -1,6 +1,6 @@
 // Elements on a decimal grid: their numbers print short, and they hold what they held.
 #include "geometry/plain_shapes.hpp"
-#include "runtime/src/finish/written_numbers.hpp"
+#include "runtime/src/finish/finish.hpp"
 
 #include <foam/geometry/measure.hpp>
 
@@ -34,8 +34,8 @@ Element odd(Kind kind, double size) {
         e.hull = convex_hull(points);
         return e;
     }
-    e.radius = kind == Kind::box ? 0 : 0.4444444444 * size;
-    if (kind == Kind::box || kind == Kind::swept_box) {
+    e.radius = kind == Kind::box || kind == Kind::ellipsoid ? 0 : 0.4444444444 * size;
+    if (kind == Kind::box || kind == Kind::swept_box || kind == Kind::ellipsoid) {
         e.half = Vec3{0.5555555555, 0.6666666666, 0.7777777777} * size;
     } else if (kind != Kind::sphere) {
         e.half.z = 0.8888888888 * size;
@@ -55,7 +55,7 @@ void expect_holds(const Element& outer, const Element& inner) {
 class WrittenNumbers : public ::testing::TestWithParam<Kind> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, WrittenNumbers,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull),
+                                           Kind::hull, Kind::ellipsoid),
                          [](const auto& kind) { return to_string(kind.param); });
 
 TEST_P(WrittenNumbers, LengthsAreRoundedUpToTheGrid) {
@@ -334,7 +334,7 @@ TEST(WrittenNumbers, AHullHoldsWhatItHeldWhereverItsVerticesMove) {
 TEST(WrittenNumbers, WhatDoesNotCoverHoldsAfterwardsWhatItHeld) {
     const auto solid = Solid::make(test::box({-2, -0.2, -0.2}, {2, 0.2, 0.2}));
     const DecimalGrid grid(4);
-    for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull}) {
+    for (const Kind kind : every_kind()) {
         for (int k = 0; k < 20; ++k) {
             const double shift = 0.0500012345 * k; // the nearest numbers on the grid are on either side
             Element element = odd(kind, 0.5);

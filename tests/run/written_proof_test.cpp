@@ -4,7 +4,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/runtime/internal/written_proof.hpp>
+#include <foam/runtime/internal/links.hpp>
 
 #include <gmock/gmock.h>
 

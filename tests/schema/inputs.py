@@ -70,6 +70,7 @@ COMMANDS = [
     (0, "approximate robot.urdf -n 6 --with hull --effort fast -o elements.json --json"),
     (0, "approximate box.obj -n 2 --with sphere,box --effort fast -o boxes.csv --json"),
     (0, "approximate box.obj -n 2 --with swept_box --effort fast -o swept.csv --json"),
+    (0, "approximate box.obj -n 2 --with ellipsoid --effort fast -o ellipsoids.json --json"),
     (0, "info robot.urdf --json"), (0, "info sheet.obj --json"),
     (0, "evaluate robot.urdf thin.csv --clip base=0,0,-1,5mm --clip upper=0,0,-1,0 --json"),
     (0, "evaluate robot.urdf model.csv --poses 200 --json"), (0, "evaluate robot.urdf mixed.json --json"), (0, "evaluate sheet.obj one.csv --json"),

@@ -32,10 +32,10 @@ if [[ -f $(package python3-foam) ]]; then
         expect "$room/root/usr/lib/python3/dist-packages/foam/__init__.py True" \
             env PYTHONPATH="$room/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c \
             'import foam; print(foam.__file__, foam.spherize("part.obj", 6).certified)'
+        if /usr/bin/python3 -c 'import pandas, matplotlib, yaml' 2>/dev/null; then
+            printf '%s\n' 'foam_experiment: 1' 'name: x' 'kind: time_against_triangles' 'mesh: part.obj' 'triangles: [100]' \
+                'figures: {a: [load.mesh]}' >x.yaml
+            expect "| load.mesh |" env FOAM_PYTHON=/usr/bin/python3 "$room/root/usr/bin/foam" bench x.yaml
+        fi
     fi
-fi
-if [[ -x $FOAM_TEST_BUILD/bin/foam-bench ]]; then
-    expect "foam (= " dpkg-deb -f "$(package foam-bench)" Depends
-    dpkg-deb -x "$(package foam-bench)" "$room/root"
-    expect "Measure stages" "$room/root/usr/bin/foam" bench --help
 fi

@@ -1,5 +1,5 @@
 // Whether the elements of two links touch: against all pairs of them.
-#include "collision/src/ball_group.hpp"
+#include "collision/src/link_shapes.hpp"
 #include "geometry/plain_shapes.hpp"
 
 #include <foam/collision/separation.hpp>

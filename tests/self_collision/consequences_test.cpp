@@ -105,10 +105,10 @@ TEST_F(Poses, OfABadFileAreRefused) {
 
 TEST(InscribedMesh, LiesInTheElement) {
     const Pose pose = Pose::from_xyz_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
-    for (const Primitive& primitive :
-         {Primitive{Primitive::Kind::sphere, {}, 0.5, 0}, Primitive{Primitive::Kind::capsule, {}, 0.5, 1},
-          Primitive{Primitive::Kind::cylinder, {}, 0.5, 1}, Primitive{Primitive::Kind::box, {1, 2, 3}, 0, 0}}) {
-        const Element element = element_of(primitive, pose);
+    for (const Element& primitive :
+         {Element::sphere(0.5), Element::capsule(0.5, 1), Element::cylinder(0.5, 1), Element::box({1, 2, 3}),
+          Element::ellipsoid({1, 2, 3})}) {
+        const Element element = moved(primitive, pose);
         const Mesh mesh = inscribed_mesh(element, 96);
         EXPECT_TRUE(topology(mesh).closed());
         for (const Vec3& p : mesh.vertices) {

@@ -66,7 +66,7 @@ LinkSolids solids_of_spheres(const CollisionModel& model) {
     for (const Elements& elements : model.elements) {
         std::vector<Solid::Part> parts;
         for (const Sphere& sphere : elements.spheres()) {
-            parts.push_back({nullptr, Primitive{.radius = sphere.radius}, Pose::from_xyz_rpy(sphere.center, {})});
+            parts.push_back({nullptr, Element::sphere(sphere.radius), Pose::from_xyz_rpy(sphere.center, {})});
         }
         solids.push_back(parts.empty() ? nullptr : Solid::make(std::move(parts)));
     }

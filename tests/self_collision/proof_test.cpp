@@ -1,6 +1,6 @@
 // The proof that two links touch always, or never: its bounds are exact where a single joint moves, and no sample
 // contradicts it.
-#include "collision/src/proof.hpp"
+#include "collision/src/pairs.hpp"
 #include "geometry/plain_shapes.hpp"
 
 #include <foam/collision/separation.hpp>

@@ -79,7 +79,7 @@ TEST(ReferencePose, KeepsTheJointsOfAStateAndMovesOthers) {
 /// range.
 std::shared_ptr<const Robot> robot_of_many_arms(int arms) {
     const auto ball = [](const Vec3& at, double radius) {
-        return GeometryElement{Pose::from_xyz_rpy(at, {}), Primitive{.radius = radius}, "", 0};
+        return GeometryElement{Pose::from_xyz_rpy(at, {}), Element::sphere(radius), "", 0};
     };
     Robot robot;
     robot.name = robot.root = "body";
@@ -107,7 +107,7 @@ TEST(ReferencePose, OfManyLimbsIsFoundPairByPair) {
     for (const Link& link : robot->links) {
         std::vector<Solid::Part> parts;
         for (const GeometryElement& element : link.collisions) {
-            parts.push_back({nullptr, std::get<Primitive>(element.geometry), element.origin});
+            parts.push_back({nullptr, std::get<Element>(element.geometry), element.origin});
         }
         solids.push_back(Solid::make(std::move(parts)));
     }

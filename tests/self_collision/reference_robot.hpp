@@ -13,7 +13,7 @@ struct FoldingArm {
     explicit FoldingArm(double least) : robot(made(least)), kinematics(robot) {
         for (const Link& link : robot->links) {
             const GeometryElement& ball = link.collisions.front();
-            solids.push_back(Solid::make({{nullptr, std::get<Primitive>(ball.geometry), ball.origin}}));
+            solids.push_back(Solid::make({{nullptr, std::get<Element>(ball.geometry), ball.origin}}));
         }
     }
 
@@ -28,7 +28,7 @@ struct FoldingArm {
 private:
     static std::shared_ptr<const Robot> made(double least) {
         const auto link = [](const std::string& name, const Vec3& at, double radius) {
-            return Link{name, {{Pose::from_xyz_rpy(at, {}), Primitive{.radius = radius}, "", 0}}, {}};
+            return Link{name, {{Pose::from_xyz_rpy(at, {}), Element::sphere(radius), "", 0}}, {}};
         };
         Robot robot;
         robot.name = "arm";

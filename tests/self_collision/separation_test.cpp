@@ -1,7 +1,7 @@
 // The distance of two convex elements, against what is known of them.
 #include <foam/base/random.hpp>
 #include <foam/collision/separation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <gtest/gtest.h>
 
@@ -38,10 +38,11 @@ Element any(Random& random, Element::Kind kind) {
         return element;
     }
     const bool long_kind = kind == Element::Kind::capsule || kind == Element::Kind::cylinder;
-    const bool edges = kind == Element::Kind::box || kind == Element::Kind::swept_box;
+    const bool edges =
+        kind == Element::Kind::box || kind == Element::Kind::swept_box || kind == Element::Kind::ellipsoid;
     element.half = edges ? Vec3{number(0.1, 0.6), number(0.1, 0.6), number(0.1, 0.6)}
                          : Vec3{0, 0, long_kind ? number(0.1, 0.8) : 0};
-    element.radius = kind == Element::Kind::box ? 0 : number(0.1, 0.4);
+    element.radius = kind == Element::Kind::box || kind == Element::Kind::ellipsoid ? 0 : number(0.1, 0.4);
     return element;
 }
 

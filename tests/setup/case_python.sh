@@ -11,7 +11,7 @@ expect_no_call "^apt-get"
 run_foam python -c "a b"
 expect_code 0
 expect_call "install -y --no-install-recommends pack-p"
-expect_no_call "^apt-get.*pack-[tqcdw]"
+expect_no_call "^apt-get.*pack-[tqcdwe]"
 expect_call "core/all plugins/all apps/foam/all python/all"
 expect_out "path $clone/build/release/python
  <-c> <a b>"
@@ -24,6 +24,14 @@ run_foam version
 expect_calls ninja 2
 run_foam python
 expect_calls ninja 3
+
+# ./foam bench needs the modules of experiments and the programs that measure, and starts the program with this Python.
+run_foam bench x.yaml
+expect_code 0
+expect_call "install -y --no-install-recommends pack-e"
+expect_call "core/all plugins/all apps/foam/all python/all bench"
+expect_out "ran <bench> <x.yaml>"
+expect_calls ninja 4
 
 # ./foam wheel needs patchelf as well, and hands the build folder on.
 run_foam wheel

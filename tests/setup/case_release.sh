@@ -31,7 +31,7 @@ $release/foam-1.2.3.tar.gz
 $release/foam_1.2.3_amd64.deb
 $release/foam_spheres-1.2.3.whl"
 expect_call "pack-r"
-expect_call "core/all plugins/all apps/foam/all python/all foam_bench_app"
+expect_call "core/all plugins/all apps/foam/all python/all"
 expect_call "archive --format=tar --prefix=foam-1.2.3/ HEAD"
 (cd "$release" && sha256sum --quiet -c SHA256SUMS) || fail "wrong digests"
 [[ $(wc -l <"$release/SHA256SUMS") == 3 ]] || fail "a file without a digest"

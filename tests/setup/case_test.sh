@@ -22,7 +22,7 @@ expect_calls ninja 2
 expect_calls cmake 2
 
 # Packages of consumers and of npm are installed, too; without them the tests go on.
-expect_call "install -y --no-install-recommends pack-p pack-q pack-c"
+expect_call "install -y --no-install-recommends pack-p pack-e pack-q pack-c"
 node=$clone/build/release/tests/consumers/node
 mkdir -p "$node"
 touch "$node/package-lock.json"
@@ -60,4 +60,4 @@ expect_err "the tests that need these packages are skipped"
 printf '%s\n' 'VERSION_ID="12"' >"$FOAM_OS_RELEASE"
 run_foam test
 expect_code 0
-expect_call "install -y --no-install-recommends pack-p pack-q pack-c pack-o"
+expect_call "install -y --no-install-recommends pack-p pack-e pack-q pack-c pack-o"

@@ -12,7 +12,7 @@ printf '%s\n' 'ID=debian' 'VERSION_ID="13"' >"$FOAM_OS_RELEASE"
 mkdir -p "$clone"/{core,plugins,apps,python} "$tools"
 touch "$calls" "$installed"
 cp -- "$source_root/foam" "$clone/foam"
-printf '%s\n' '# No group yet' 'not-one' '## run: what it is' 'pack-a' '# more' 'pack-b   # why' '' '## python: of it' pack-p '## wheel: of it' pack-w '## release: of it' pack-r '## python-tests: of it' pack-q '## tests: of it' pack-t \
+printf '%s\n' '# No group yet' 'not-one' '## run: what it is' 'pack-a' '# more' 'pack-b   # why' '' '## python: of it' pack-p '## bench: of it' pack-e '## wheel: of it' pack-w '## release: of it' pack-r '## python-tests: of it' pack-q '## tests: of it' pack-t \
     '## consumers: of it' pack-c '## docs: of it' pack-d '## consumers-12: of it on Debian 12' pack-o >"$clone/dependencies.txt"
 touch "$clone/CMakeLists.txt"
 for tool in bash cat chmod dirname env find flock grep id mkdir mv nproc paste readlink rm sed sleep tail touch; do

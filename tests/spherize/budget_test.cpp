@@ -3,7 +3,7 @@
 
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/clip.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -157,7 +157,7 @@ TEST(CoveringWithin, EverySampleSolidFromEverySide) {
 }
 
 TEST(Shaved, IsTheLargestSphereInWhatIsLeft) {
-    const auto box = Solid::make({{nullptr, Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}}, {}}});
+    const auto box = Solid::make({{nullptr, Element::box({1, 1, 1}), {}}});
     const std::vector<Sphere> spheres =
         shrunk_within(*box, {{{0, 0, 0}, 1}, {{0, 0, -3}, 1}}, {{{0, 0, -5}, 0.5, 0.1}});
     ASSERT_EQ(spheres.size(), 1u);

@@ -4,7 +4,7 @@
 
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/contract.hpp>
-#include <foam/search/fit.hpp>
+#include <foam/search/refine.hpp>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ double misfit(const Solid& solid, std::span<const Sphere> spheres) {
 }
 
 std::shared_ptr<const Solid> capsule(double radius, double straight) {
-    return Solid::make({Solid::Part{nullptr, Primitive{Primitive::Kind::capsule, {}, radius, straight}, {}}});
+    return Solid::make({Solid::Part{nullptr, Element::capsule(radius, straight), {}}});
 }
 
 class Fitted : public testing::TestWithParam<std::string> {};
@@ -83,16 +83,16 @@ TEST(Fit, ACapsuleByARow) {
 
 TEST(SymmetricDifference, TheUseOfABallIsWhatIsLostWithoutIt) {
     const auto box = Solid::make(sample::box({0.3, 0.1, 0.1}));
-    const cover::Frame frame(box->bounds());
+    const by_spheres::Frame frame(box->bounds());
     const fitted::SymmetricDifference misfit(*box, frame, 48, 96);
-    cover::Balls balls;
+    by_spheres::Balls balls;
     for (const Sphere& sphere : {Sphere{{-0.1, 0, 0}, 0.06}, Sphere{{0, 0, 0}, 0.07}, Sphere{{0.03, 0, 0}, 0.06},
                                  Sphere{{0, 0.12, 0}, 0.04}}) {
-        balls.push_back(cover::ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit}));
+        balls.push_back(by_spheres::ball_of({frame.to_unit(sphere.center), sphere.radius / frame.unit}));
     }
     const std::vector<double> uses = misfit.uses(balls);
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        cover::Balls others = balls;
+        by_spheres::Balls others = balls;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         const double volume = 4.2 * balls[i].r * balls[i].r * balls[i].r;
         EXPECT_NEAR(uses[i], misfit.of(others) - misfit.of(balls), 0.05 * volume) << i;

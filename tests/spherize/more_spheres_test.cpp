@@ -3,7 +3,7 @@
 #include "all_spherizers.hpp"
 #include "support/runs.hpp"
 
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 namespace {
 

@@ -2,8 +2,8 @@
 #include "support/runs.hpp"
 
 #include <foam/geometry/clip_plane.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/contract.hpp>
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ using namespace foam::test;
 using ::testing::ElementsAre;
 using Json = nlohmann::json;
 
-std::shared_ptr<const Solid> solid_of(const Primitive& primitive) {
+std::shared_ptr<const Solid> solid_of(const Element& primitive) {
     Solid::Part part;
     part.primitive = primitive;
     return Solid::make({part});
@@ -53,7 +53,7 @@ TEST_F(Refiners, WithoutThemARecipeHasTheSpherizersSpheres) {
     const std::string text = "name: box\nrobot: {urdf: box.urdf}\nstages: [spherize.octree]\nbudget: {spheres: 7}\n"
                              "outputs: [write.urdf: {file: box.urdf}]\n";
     run(recipe_of(text), registry, options());
-    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.2, 0.1}});
+    const auto solid = solid_of(Element::box({0.4, 0.2, 0.1}));
     QuietContext context;
     const SphereTree made = registry.make<Spherizer>("spherize.octree")
                                 ->spherize({"box", solid, solid}, {7, {}, Guarantee::outer}, context);
@@ -90,7 +90,7 @@ TEST_F(Refiners, StandAfterTheSpherizerOnce) {
 }
 
 TEST_F(Refiners, SplitAddsSpheresUpToTheBudget) {
-    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.1, 0.1}});
+    const auto solid = solid_of(Element::box({0.4, 0.1, 0.1}));
     const SphereTree one = around(*solid);
     const SphereTree four = refined("refine.split", solid, one, 4);
     EXPECT_EQ(four.finest().size(), 4u);
@@ -105,7 +105,7 @@ TEST_F(Refiners, SplitAddsSpheresUpToTheBudget) {
 }
 
 TEST_F(Refiners, RowCoversACylinderByEqualSpheres) {
-    const auto solid = solid_of({.kind = Primitive::Kind::cylinder, .radius = 0.1, .length = 1});
+    const auto solid = solid_of(Element::cylinder(0.1, 1));
     const SphereTree row = refined("refine.row", solid, around(*solid), 5);
     ASSERT_EQ(row.finest().size(), 5u);
     for (const Sphere& sphere : row.finest()) {
@@ -117,7 +117,7 @@ TEST_F(Refiners, RowCoversACylinderByEqualSpheres) {
 }
 
 TEST_F(Refiners, FitReducesTheSymmetricDifference) {
-    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.1, 0.1}});
+    const auto solid = solid_of(Element::box({0.4, 0.1, 0.1}));
     const SphereTree start = around(*solid);
     EXPECT_EQ(refined("refine.fit", solid, start, 3).finest(), start.finest()) << "only with guarantee fitted";
     const SphereTree fitted = refined("refine.fit", solid, start, 3, {.guarantee = Guarantee::fitted});
@@ -130,7 +130,7 @@ TEST_F(Refiners, FitReducesTheSymmetricDifference) {
 }
 
 TEST_F(Refiners, ClipKeepsTheConstraints) {
-    const auto solid = solid_of({.kind = Primitive::Kind::box, .size = {0.4, 0.4, 0.1}});
+    const auto solid = solid_of(Element::box({0.4, 0.4, 0.1}));
     const ClipPlane table{{0, 0, -1}, 0.05, 0.02};
     const SphereTree clipped = refined("refine.clip", solid, around(*solid), 16, {.clip = {table}});
     const std::vector<Sphere> grown = grown_to_cover(*solid, clipped.finest());

@@ -1,7 +1,7 @@
 // Which of several numbers of spheres is taken.
 #include "spherize_medial/best_with_at_most.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ std::vector<Sphere> shell() {
 }
 
 TEST(BestWithAtMost, AHollowInTheSolidIsNoGain) {
-    const auto ball = Solid::make({{nullptr, Primitive{Primitive::Kind::sphere, {}, 1, 0}, {}}});
+    const auto ball = Solid::make({{nullptr, Element::sphere(1), {}}});
     const std::vector<Sphere> around = shell();
     const Budget budget{around.size(), {}, Guarantee::outer};
     const auto trees = best_with_at_most(*ball, std::vector<Budget>{budget}, many_fewer, [&](auto budgets) {

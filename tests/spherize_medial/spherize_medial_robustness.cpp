@@ -113,16 +113,16 @@ TEST(SpherizeMedialRobustness, NeedleAndPoint) {
 }
 
 TEST(SpherizeMedialRobustness, Primitives) {
-    for (const Primitive& primitive :
-         {Primitive{Primitive::Kind::box, {0.1, 0.2, 0.3}, 0, 0}, Primitive{Primitive::Kind::sphere, {}, 0.1, 0},
-          Primitive{Primitive::Kind::cylinder, {}, 0.05, 0.4}, Primitive{Primitive::Kind::capsule, {}, 0.05, 0.4}}) {
+    for (const Element& primitive :
+         {Element::box({0.1, 0.2, 0.3}), Element::sphere(0.1),
+          Element::cylinder(0.05, 0.4), Element::capsule(0.05, 0.4)}) {
         Solid::Part part;
         part.primitive = primitive;
         part.pose = Pose::from_xyz_rpy({0, 0, 1}, {0.3, 0, 0});
         const auto solid = Solid::make(std::vector{part});
         QuietContext context;
         const auto tree = medial()->spherize(Shape("primitive", solid, solid), at_most(4), context);
-        EXPECT_EQ(tree.finest().size(), primitive.kind == Primitive::Kind::sphere ? 1u : 4u);
+        EXPECT_EQ(tree.finest().size(), primitive.kind == Element::Kind::sphere ? 1u : 4u);
         EXPECT_LT(largest_gap(*solid, tree.finest()), 0.01 * solid->bounds().diagonal());
     }
 }

@@ -1,10 +1,9 @@
 // The scene and the page that is one file.
 #include "arm.hpp"
 
-#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
 
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -137,11 +136,11 @@ TEST_F(Scene, HasCoarseMeshesFirstWhereThereAreManyTriangles) {
 }
 
 TEST(DrawnMesh, KeepsEdgesSharpAndRoundsSmoothSurfaces) {
-    const auto count = [](const Primitive& primitive) {
+    const auto count = [](const Element& primitive) {
         return drawn({std::make_shared<const Mesh>(enclosing_mesh(primitive)), {}}).vertices.size();
     };
-    EXPECT_EQ(count({.kind = Primitive::Kind::box, .size = {1, 2, 3}}), 24u); // each corner with three normals
-    const Primitive ball{.kind = Primitive::Kind::sphere, .radius = 1};
+    EXPECT_EQ(count(Element::box({1, 2, 3})), 24u); // each corner with three normals
+    const Element ball = Element::sphere(1);
     EXPECT_EQ(count(ball), enclosing_mesh(ball).vertices.size());
 }
 

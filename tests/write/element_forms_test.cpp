@@ -2,7 +2,7 @@
 #include "elements.hpp"
 
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <gmock/gmock.h>
 

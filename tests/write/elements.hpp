@@ -25,6 +25,9 @@ inline Element box(const Pose& pose, const Vec3& half) {
 inline Element swept_box(const Pose& pose, const Vec3& half, double radius) {
     return {.kind = Kind::swept_box, .pose = pose, .half = half, .radius = radius};
 }
+inline Element ellipsoid(const Pose& pose, const Vec3& radii) {
+    return {.kind = Kind::ellipsoid, .pose = pose, .half = radii};
+}
 inline Element hull(const Pose& pose, const std::vector<Vec3>& points) {
     Element element{.kind = Kind::hull, .pose = pose};
     element.hull = convex_hull(points);
@@ -44,7 +47,7 @@ inline std::vector<Element> one_of_each() {
     const Pose pose = awkward_pose();
     return {capsule(pose, 0.1 + 0.2, 0.1 + 0.7), cylinder(pose, 0.1 + 0.2, 1.0 / 3),
             box(pose, {0.1, 0.1 + 0.2, 1.0 / 3}), swept_box(pose, {0.1, 0.2, 1.0 / 7}, 0.05),
-            tetrahedron(pose, 1.0 / 3)};
+            tetrahedron(pose, 1.0 / 3), ellipsoid(pose, {0.1, 0.1 + 0.2, 1.0 / 7})};
 }
 
 /// Elements on which formats differ, or digits are lost.
@@ -64,6 +67,7 @@ inline std::vector<Element> awkward_elements() {
     elements.push_back(box(far, {0.1, 0.2, 0.3}));
     elements.push_back(swept_box(far, {0.1, 0.2, 0.3}, 0.1));
     elements.push_back(tetrahedron(far, 0.2));
+    elements.push_back(ellipsoid(far, {0.1, 0.2, 0.3}));
     elements.push_back(capsule({}, 1e-9, 1e-9));
     elements.push_back(cylinder(awkward_pose(), 1e-9, 1e-9));
     elements.push_back(box({}, {1e-9, 1e-9, 1e-9}));

@@ -20,7 +20,7 @@ SphereModel without_masses() {
     robot->source = "<robot name=\"arm\"><link name=\"base" + link + "<link name=\"upper" + link +
                     "<joint name=\"turn\" type=\"revolute\"><parent link=\"base\"/><child link=\"upper\"/>"
                     "<axis xyz=\"0 0 1\"/><limit lower=\"0\" upper=\"2\" effort=\"1\" velocity=\"1\"/></joint></robot>";
-    const Primitive box{.kind = Primitive::Kind::box, .size = {1, 2, 3}};
+    const Element box = Element::box({1, 2, 3});
     SphereModel model;
     for (const char* name : {"base", "upper"}) {
         robot->links.push_back(

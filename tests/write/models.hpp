@@ -52,7 +52,7 @@ inline std::shared_ptr<const Robot> chain_of(const std::vector<std::string>& lin
     robot->source = "<robot name=\"chain\">\n";
     for (std::size_t i = 0; i < links.size(); ++i) {
         GeometryElement box;
-        box.geometry = Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
+        box.geometry = Element::box({1, 1, 1});
         Link link;
         link.name = links[i];
         link.collisions.push_back(box);

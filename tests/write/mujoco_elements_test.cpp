@@ -42,6 +42,10 @@ Element element_of(const mjModel& model, int geom) {
         element.radius = size[0];
         element.half.z = size[1];
         break;
+    case mjGEOM_ELLIPSOID:
+        element.kind = Kind::ellipsoid;
+        element.half = {size[0], size[1], size[2]};
+        break;
     case mjGEOM_BOX:
         element.kind = Kind::box;
         element.half = {size[0], size[1], size[2]};
@@ -122,16 +126,12 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
     const SphereFile read = registry.make<ModelReader>("read.mjcf")->read(text, "a.xml", context);
     ASSERT_EQ(read.links.size(), 1U);
     EXPECT_EQ(read.links[0].elements.spheres(), (std::vector<Sphere>{{{0, 0, 0}, 0.5}}));
-    EXPECT_THAT(read.notes, testing::ElementsAre("1 geom is no convex element (ellipsoid) and left out",
-                                                 "1 geom is without contact and left out"));
-    std::string without = text;
-    const std::string ellipsoid = R"(<geom type="ellipsoid" size="1 2 3"/>)";
-    without.erase(without.find(ellipsoid), ellipsoid.size());
-    const Loaded mujoco(without);
+    EXPECT_THAT(read.notes, testing::ElementsAre("1 geom is without contact and left out"));
+    const Loaded mujoco(text);
     ASSERT_TRUE(mujoco.model);
     const std::vector<Element> theirs = elements_of_body(*mujoco.model, "b");
     const std::span<const Element> ours = read.links[0].elements.shaped();
-    ASSERT_EQ(ours.size(), 8U);
+    ASSERT_EQ(ours.size(), 9U);
     for (std::size_t i = 0; i < ours.size(); ++i) {
         SCOPED_TRACE(i);
         ASSERT_EQ(ours[i].kind, theirs[i].kind);

@@ -3,7 +3,7 @@
 
 #include <foam/base/file.hpp>
 #include <foam/base/random.hpp>
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/stage.hpp>
 

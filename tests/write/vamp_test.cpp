@@ -95,8 +95,8 @@ TEST_F(WriteVamp, EveryCollisionIsASphere) { // 1
     const auto robot = written();
     for (const Link& link : robot->links) {
         for (const GeometryElement& element : link.collisions) {
-            const auto* primitive = std::get_if<Primitive>(&element.geometry);
-            EXPECT_TRUE(primitive && primitive->kind == Primitive::Kind::sphere) << link.name;
+            const auto* primitive = std::get_if<Element>(&element.geometry);
+            EXPECT_TRUE(primitive && primitive->kind == Element::Kind::sphere) << link.name;
         }
     }
     model_.groups.erase(model_.groups.begin());

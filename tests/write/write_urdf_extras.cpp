@@ -60,7 +60,7 @@ void expect_equal(const std::vector<GeometryElement>& a, const std::vector<Geome
             EXPECT_EQ(mesh->uri, std::get<MeshReference>(b[i].geometry).uri);
             EXPECT_EQ(mesh->scale, std::get<MeshReference>(b[i].geometry).scale);
         } else {
-            EXPECT_EQ(std::get<Primitive>(a[i].geometry), std::get<Primitive>(b[i].geometry));
+            EXPECT_EQ(std::get<Element>(a[i].geometry), std::get<Element>(b[i].geometry));
         }
         ASSERT_EQ(a[i].material == nullptr, b[i].material == nullptr);
         if (a[i].material) {
@@ -119,7 +119,7 @@ protected:
         for (const Link& link : model_.robot->links) {
             if (!link.collisions.empty()) {
                 model_.geometry[link.name] =
-                    Solid::make({{nullptr, std::get<Primitive>(link.collisions[0].geometry), Pose{}}});
+                    Solid::make({{nullptr, std::get<Element>(link.collisions[0].geometry), Pose{}}});
             }
         }
     }
@@ -204,7 +204,7 @@ TEST_F(WriteUrdfExtras, ARobotWithoutTextGetsOneWithAllThatItHas) {
 }
 
 TEST_F(WriteUrdfExtras, AMeshThatIsNotClosedIsTold) {
-    Mesh open = enclosing_mesh({.kind = Primitive::Kind::box, .size = {1, 1, 1}});
+    Mesh open = enclosing_mesh(Element::box({1, 1, 1}));
     open.triangles.pop_back();
     model_.geometry["upper"] = Solid::make(open);
     EXPECT_THAT(written({{"inertial", "moving"}}), HasSubstr("<inertial><!-- foam"));

@@ -1,5 +1,4 @@
 // Values are replaced, all other bytes stay.
-#include <foam/yaml/splice.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <gmock/gmock.h>

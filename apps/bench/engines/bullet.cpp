@@ -28,16 +28,20 @@ std::unique_ptr<btCollisionShape> without_margin(std::unique_ptr<btCollisionShap
     return shape;
 }
 
-std::unique_ptr<btCollisionShape> make_shape(const Primitive& p) {
+std::unique_ptr<btCollisionShape> make_shape(const Element& p) {
     switch (p.kind) {
-    case Primitive::Kind::box:
-        return without_margin(std::make_unique<btBoxShape>(to_bullet(p.size / 2)));
-    case Primitive::Kind::sphere:
+    case Element::Kind::box:
+        return without_margin(std::make_unique<btBoxShape>(to_bullet(p.half)));
+    case Element::Kind::sphere:
         return std::make_unique<btSphereShape>(p.radius);
-    case Primitive::Kind::cylinder:
-        return without_margin(std::make_unique<btCylinderShapeZ>(btVector3(p.radius, p.radius, p.length / 2)));
-    case Primitive::Kind::capsule:
-        return std::make_unique<btCapsuleShapeZ>(p.radius, p.length);
+    case Element::Kind::cylinder:
+        return without_margin(std::make_unique<btCylinderShapeZ>(btVector3(p.radius, p.radius, p.half.z)));
+    case Element::Kind::capsule:
+        return std::make_unique<btCapsuleShapeZ>(p.radius, 2 * p.half.z);
+    case Element::Kind::ellipsoid:
+    case Element::Kind::swept_box:
+    case Element::Kind::hull:
+        break; // a mesh
     }
     return nullptr;
 }

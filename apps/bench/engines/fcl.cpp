@@ -27,16 +27,21 @@ fcl::Transform3d to_fcl(const Pose& pose) {
     return result;
 }
 
-std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const Primitive& p) {
+std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const Element& p) {
     switch (p.kind) {
-    case Primitive::Kind::box:
-        return std::make_shared<fcl::Boxd>(p.size.x, p.size.y, p.size.z);
-    case Primitive::Kind::sphere:
+    case Element::Kind::box:
+        return std::make_shared<fcl::Boxd>(2 * p.half.x, 2 * p.half.y, 2 * p.half.z);
+    case Element::Kind::sphere:
         return std::make_shared<fcl::Sphered>(p.radius);
-    case Primitive::Kind::cylinder:
-        return std::make_shared<fcl::Cylinderd>(p.radius, p.length);
-    case Primitive::Kind::capsule:
-        return std::make_shared<fcl::Capsuled>(p.radius, p.length);
+    case Element::Kind::cylinder:
+        return std::make_shared<fcl::Cylinderd>(p.radius, 2 * p.half.z);
+    case Element::Kind::capsule:
+        return std::make_shared<fcl::Capsuled>(p.radius, 2 * p.half.z);
+    case Element::Kind::ellipsoid:
+        return std::make_shared<fcl::Ellipsoidd>(p.half.x, p.half.y, p.half.z);
+    case Element::Kind::swept_box:
+    case Element::Kind::hull:
+        break; // a mesh
     }
     return nullptr;
 }
@@ -70,7 +75,7 @@ std::shared_ptr<fcl::CollisionGeometryd> convex_solid_of(const Mesh& mesh) {
 }
 
 std::shared_ptr<fcl::CollisionGeometryd> to_fcl(const EngineShape& shape) {
-    if (const auto* primitive = std::get_if<Primitive>(&shape.geometry)) {
+    if (const auto* primitive = std::get_if<Element>(&shape.geometry)) {
         return to_fcl(*primitive);
     }
     const Mesh& mesh = *std::get<std::shared_ptr<const Mesh>>(shape.geometry);

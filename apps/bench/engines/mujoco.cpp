@@ -32,20 +32,24 @@ std::string pose_text(const Pose& pose) {
     return fmt::format("pos='{} {} {}' quat='{}'", t.x, t.y, t.z, fmt::join(quaternion_of(pose), " "));
 }
 
-std::array<double, 3> size_of(const Primitive& p) {
+std::array<double, 3> size_of(const Element& p) {
     switch (p.kind) {
-    case Primitive::Kind::box:
-        return {p.size.x / 2, p.size.y / 2, p.size.z / 2};
-    case Primitive::Kind::sphere:
+    case Element::Kind::box:
+    case Element::Kind::ellipsoid:
+        return {p.half.x, p.half.y, p.half.z};
+    case Element::Kind::sphere:
         return {p.radius, 0, 0};
-    case Primitive::Kind::cylinder:
-    case Primitive::Kind::capsule:
-        return {p.radius, p.length / 2, 0};
+    case Element::Kind::cylinder:
+    case Element::Kind::capsule:
+        return {p.radius, p.half.z, 0};
+    case Element::Kind::swept_box:
+    case Element::Kind::hull:
+        break; // a mesh
     }
     return {};
 }
 
-std::string shape_text(const Primitive& p) {
+std::string shape_text(const Element& p) {
     return fmt::format("type='{}' size='{}'", to_string(p.kind), fmt::join(size_of(p), " "));
 }
 
@@ -110,7 +114,7 @@ private:
             fmt::format("<body name='b{}'><freejoint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>\n", index);
         for (const EngineShape& shape : body) {
             std::string geometry;
-            if (const auto* primitive = std::get_if<Primitive>(&shape.geometry)) {
+            if (const auto* primitive = std::get_if<Element>(&shape.geometry)) {
                 geometry = shape_text(*primitive);
             } else {
                 geometry = fmt::format("type='mesh' mesh='m{}'", meshes_);
@@ -133,8 +137,8 @@ private:
         const auto weight = [](const EngineBody& body) {
             std::size_t sum = 0;
             for (const EngineShape& shape : body) {
-                const auto* primitive = std::get_if<Primitive>(&shape.geometry);
-                sum += primitive && primitive->kind == Primitive::Kind::sphere ? 1 : 3;
+                const auto* primitive = std::get_if<Element>(&shape.geometry);
+                sum += primitive && primitive->kind == Element::Kind::sphere ? 1 : 3;
             }
             return sum;
         };

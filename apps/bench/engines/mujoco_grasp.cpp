@@ -1,6 +1,6 @@
 // Many simulations of one scene in MuJoCo, side by side on all threads: a robot follows position commands to grasp an
 // object. Reads a request as JSON from standard input, answers as JSON in one message on descriptor 3, or on standard
-// output if that is not open. Keys: apps/bench/src/throughput.cpp.
+// output if that is not open. Keys: python/foam/bench/kinds/throughput.py.
 #include "mujoco_model.hpp"
 
 #include <nlohmann/json.hpp>

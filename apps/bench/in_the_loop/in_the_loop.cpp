@@ -2,7 +2,7 @@
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/contract.hpp>
 #include <foam/sdk/kinds.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/search/cover.hpp>
 #include <foam/search/sphere_cache.hpp>
 
 #include <benchmark/benchmark.h>
@@ -38,7 +38,7 @@ void report_p99(benchmark::internal::Benchmark* benchmark) {
 void spherize_torus(benchmark::State& state) {
     const ThreadLimit limit(static_cast<std::size_t>(state.range(1)));
     const Mesh mesh = torus();
-    Cover cover;
+    SphereCover cover;
     for (auto _ : state) {
         cover = spherize(mesh, static_cast<std::size_t>(state.range(0)), {.effort = Effort::fast});
     }
@@ -52,9 +52,9 @@ void one_element_around_torus(benchmark::State& state) {
     const ThreadLimit limit(1);
     const Mesh mesh = torus();
     const auto kind = static_cast<Element::Kind>(state.range(0));
-    ConvexCover cover;
+    Cover cover;
     for (auto _ : state) {
-        cover = approximate(mesh, 1, {&kind, 1}, {.effort = Effort::fast});
+        cover = foam::cover(mesh, 1, {.kinds = {kind}, .effort = Effort::fast});
     }
     state.SetLabel(noun_of(kind, 1));
     state.counters["excess"] = cover.volume / signed_volume(mesh) - 1;

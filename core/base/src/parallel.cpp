@@ -3,7 +3,6 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/internal/activity.hpp>
-#include <foam/base/internal/scheduler.hpp>
 #include <foam/base/parallel.hpp>
 
 #ifndef FOAM_SERIAL // the one place that knows oneTBB

@@ -1,4 +1,4 @@
-#include "arrays.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 

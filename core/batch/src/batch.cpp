@@ -1,9 +1,8 @@
 #include <foam/batch/batch.hpp>
 
+#include "messages.hpp"
 #include "plan.hpp"
-#include "plan_for.hpp"
 #include "pool.hpp"
-#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>

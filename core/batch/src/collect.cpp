@@ -1,15 +1,12 @@
 #include <foam/batch/batch.hpp>
 
-#include "arrays.hpp"
-#include "lines.hpp"
+#include "messages.hpp"
 #include "plan.hpp"
-#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/base/replace_file.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

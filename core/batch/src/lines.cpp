@@ -1,4 +1,4 @@
-#include "lines.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>

@@ -1,6 +1,6 @@
 #include "archive.hpp"
 
-#include <foam/batch/list.hpp>
+#include <foam/batch/batch.hpp>
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>

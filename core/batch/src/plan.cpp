@@ -1,18 +1,20 @@
 #include "plan.hpp"
 
 #include "archive.hpp"
-#include "lines.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/runtime/version.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <tuple>
-#include <unistd.h>
 
 namespace foam::inline batch {
 namespace {
@@ -285,4 +287,38 @@ Plan read_plan(const fs::path& folder) {
     return plan;
 }
 
-} // namespace foam::batch
+namespace {
+
+/// Returns the recipe with a mesh that plays no part, and nothing to write but spheres.
+Recipe plain_recipe(Recipe recipe) {
+    recipe.mesh = {"/mesh.stl"};
+    recipe.name = "mesh";
+    recipe.outputs.clear();
+    recipe.snapshots = recipe.debug_meshes = recipe.debug_snapshots = false;
+    recipe.variant.clear();
+    return recipe;
+}
+
+} // namespace
+
+Plan plan_for(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
+              const BatchOptions& options) {
+    if (!recipe.urdf.empty()) {
+        throw Error(ErrorCode::usage,
+                    "the recipe is for a robot; remedy: a recipe with `mesh:`, whose file plays no part");
+    }
+    const StageInfo& spherizer = registry.find(recipe.spherizer.stage)->info;
+    if (!spheres_alone(spherizer.kinds)) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the results of a batch hold spheres, and {} makes {}; remedy: a stage spherize.*, or "
+                                "foam approximate for each mesh",
+                                spherizer.name, words_of(spherizer.kinds)));
+    }
+    return open_plan(options.folder, to_yaml(plain_recipe(recipe), registry), std::move(items), options.shards);
+}
+
+std::string worker_recipe(const Recipe& recipe, const Registry& registry) {
+    return to_yaml(plain_recipe(recipe), registry, true);
+}
+
+} // namespace foam::inline batch

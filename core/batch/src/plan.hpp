@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/base/internal/digest.hpp>
-#include <foam/batch/list.hpp>
+#include <foam/batch/batch.hpp>
 
 #include <cstddef>
 #include <filesystem>
@@ -48,4 +48,14 @@ Plan open_plan(const std::filesystem::path& folder, const std::string& recipe, s
 /// Reads the plan of a folder. Throws Error(input) if it has none.
 Plan read_plan(const std::filesystem::path& folder);
 
-} // namespace foam::batch
+inline constexpr std::size_t default_memory_limit = 4096; ///< MiB; of one worker
+
+/// Opens or makes the plan. Throws Error(usage) for the recipe of a robot, and for one whose stage makes other
+/// elements than spheres.
+Plan plan_for(std::vector<BatchItem> items, const Recipe& recipe, const Registry& registry,
+              const BatchOptions& options);
+
+/// Returns the recipe as workers get it: YAML with absolute paths.
+std::string worker_recipe(const Recipe& recipe, const Registry& registry);
+
+} // namespace foam::inline batch

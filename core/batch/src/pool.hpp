@@ -3,7 +3,7 @@
 
 #include "messages.hpp"
 
-#include <foam/runtime/internal/child_process.hpp>
+#include <foam/runtime/internal/child.hpp>
 
 #include <chrono>
 #include <functional>

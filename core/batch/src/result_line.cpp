@@ -1,4 +1,4 @@
-#include "result_line.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 

@@ -2,7 +2,6 @@
 #include <foam/batch/batch.hpp>
 
 #include "plan.hpp"
-#include "plan_for.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>

@@ -1,8 +1,7 @@
 #include "shard.hpp"
 
 #include "archive.hpp"
-#include "lines.hpp"
-#include "result_line.hpp"
+#include "messages.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>

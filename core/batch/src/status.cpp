@@ -1,7 +1,7 @@
 #include <foam/batch/batch.hpp>
 
+#include "messages.hpp"
 #include "plan.hpp"
-#include "result_line.hpp"
 #include "shard.hpp"
 
 #include <cctype>

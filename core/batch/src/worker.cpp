@@ -1,15 +1,15 @@
-#include <foam/batch/worker.hpp>
+#include <foam/batch/batch.hpp>
 
 #include "archive.hpp"
 #include "messages.hpp"
-#include "scaled.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/recipe.hpp>
-#include <foam/runtime/crash.hpp>
-#include <foam/runtime/internal/child_process.hpp>
+#include <foam/runtime/internal/child.hpp>
+#include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/runtime/run.hpp>
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/runtime/version.hpp>
@@ -17,17 +17,60 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <malloc.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <deque>
 #include <iostream>
-#include <malloc.h>
 #include <map>
-#include <unistd.h>
+#include <optional>
+#include <vector>
 
 namespace foam::inline batch {
+
 namespace {
+
+/// Whether a stage has a parameter in metres that is not zero.
+bool has_length(const StageCall& call, const Registry& registry) {
+    const RegisteredStage* stage = registry.find(call.stage);
+    if (!stage) {
+        return true;
+    }
+    const Parameters values(stage->info.parameters, call.given);
+    return std::any_of(stage->info.parameters.begin(), stage->info.parameters.end(), [&](const Parameter& parameter) {
+        return parameter.unit_text.starts_with("m") && values.number(parameter.name) != 0;
+    });
+}
+
+/// Returns whether the spheres of a scaled mesh are the scaled spheres, as far as the recipe says: it has no length in
+/// metres, overrides no link, and its guarantee is outer. Some stages have parameters in metres.
+bool scales_freely(const Recipe& recipe, const Registry& registry) {
+    const std::vector<const StageCall*> stages = recipe.stages();
+    return recipe.guarantee == Guarantee::outer && recipe.links.empty() && recipe.pad.value_or(0) == 0 &&
+           !recipe.budget_max_protrusion && !recipe.budget_time_limit &&
+           std::none_of(stages.begin(), stages.end(),
+                        [&](const StageCall* call) { return has_length(*call, registry); });
+}
+
+/// Returns the recipe of a scaled mesh that keeps the scaled spheres, if they cover it. `spheres`: of the mesh without
+/// that scale. `size`: diagonal of the scaled mesh's box, m. Centres move to a decimal grid of about a millionth of the
+/// size, and radii grow by as much, so that rounding leaves the proof as it is.
+Recipe with_scaled_spheres(Recipe recipe, const std::vector<Sphere>& spheres, double scale, double size) {
+    const DecimalGrid grid(size);
+    constexpr double rounding = 1e-12; // of the size: far above that of doubles
+    LinkOverride link;
+    link.glob = "*";
+    link.keep.emplace();
+    for (const Sphere& sphere : spheres) {
+        const Vec3 center = sphere.center * scale, moved = grid.nearest(center);
+        link.keep->push_back({moved, grid.up(sphere.radius * scale + distance(center, moved) + rounding * size)});
+    }
+    recipe.links.push_back(std::move(link));
+    return recipe;
+}
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;

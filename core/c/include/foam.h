@@ -1,4 +1,4 @@
-/* foam in C: a triangle mesh in, spheres that are proved to cover it out.
+/* foam in C: a triangle mesh or points in, spheres or other convex elements that are proved to cover them out.
  *
  * C99, no C++ types, no global state. Every function may be called from any number of threads at once; none keeps a
  * pointer that it was given, and no C++ exception leaves it. */
@@ -35,7 +35,19 @@ enum { FOAM_NORMAL = 0, FOAM_FAST = 1, FOAM_BEST = 2 };
 enum {
     FOAM_EXCESS = 0,     /* the excess volume: the volume of the spheres outside the mesh */
     FOAM_PROTRUSION = 1, /* how far the spheres extend beyond the mesh at most */
-    FOAM_RADIUS = 2      /* the largest radius */
+    FOAM_RADIUS = 2,     /* the largest radius; of spheres alone */
+    FOAM_MEAN_PROTRUSION = 3 /* the mean protrusion, weighted by area */
+};
+
+/* Kinds of elements: foam_cover() takes the sum of those that may be used, foam_element.kind is one of them. */
+enum {
+    FOAM_SPHERE = 1,
+    FOAM_CAPSULE = 2,
+    FOAM_CYLINDER = 4,
+    FOAM_BOX = 8,
+    FOAM_SWEPT_BOX = 16, /* a box with round edges */
+    FOAM_HULL = 32,
+    FOAM_ELLIPSOID = 64
 };
 
 /* What foam_options.poll returns. */
@@ -53,7 +65,7 @@ enum {
 typedef struct foam_options {
     size_t size;   /* sizeof(foam_options): which version of this struct the caller was compiled with */
     int effort;    /* FOAM_NORMAL, FOAM_FAST or FOAM_BEST */
-    int objective; /* FOAM_EXCESS, FOAM_PROTRUSION or FOAM_RADIUS */
+    int objective; /* FOAM_EXCESS, FOAM_PROTRUSION, FOAM_RADIUS or FOAM_MEAN_PROTRUSION */
     uint64_t seed; /* of the random starts of the search; the same seed gives the same bytes */
     /* Seconds after which the search ends as by FOAM_FINISH; 0: no limit. A first cover and the proof are always
      * completed, so that a call for a large mesh may take longer. With a limit, results depend on the machine. */
@@ -70,9 +82,9 @@ typedef struct foam_options {
  *     foam_report report = {.size = sizeof report}; */
 typedef struct foam_report {
     size_t size;        /* sizeof(foam_report) */
-    size_t spheres;     /* number of spheres that were written; 0 unless FOAM_OK */
-    double volume;      /* of the union of the spheres, m^3 */
-    int certified;      /* 1: it is proved that every point of the mesh lies in a sphere; always 1 with FOAM_OK */
+    size_t spheres;     /* number of spheres, or of elements of any kind; 0 unless FOAM_OK */
+    double volume;      /* of their union, m^3 */
+    int certified;      /* 1: it is proved that every point of the mesh lies in one of them; always 1 with FOAM_OK */
     int finished_early; /* 1: the time limit or `poll` ended the search; without them the result may be better */
     char error[512];    /* reason and remedy, UTF-8 in one line; empty with FOAM_OK */
 } foam_report;
@@ -92,7 +104,52 @@ FOAM_API int foam_spherize(const double* vertices, size_t vertex_count, const ui
                            size_t triangle_count, size_t count, const foam_options* options, double* spheres,
                            foam_report* report);
 
-/* Returns the version of the library, "0.1.0". The text lives as long as the library. */
+/* What is to be covered: made once, for any number of calls of foam_cover(), by any number of threads at once. */
+typedef struct foam_region foam_region;
+
+/* Makes a region of a mesh; vertices and triangles are those of foam_spherize(). Sets *region, which foam_region_free()
+ * frees; NULL unless FOAM_OK. */
+FOAM_API int foam_region_of_mesh(const double* vertices, size_t vertex_count, const uint32_t* triangles,
+                                 size_t triangle_count, foam_region** region, foam_report* report);
+/* Makes a region of points, `count` times x, y, z in metres, with one radius each: all of these balls are to be covered.
+ * radii: NULL: the points alone. */
+FOAM_API int foam_region_of_points(const double* points, const double* radii, size_t count, foam_region** region,
+                                   foam_report* report);
+/* Frees a region; NULL does nothing. */
+FOAM_API void foam_region_free(foam_region* region);
+
+/* The elements of a cover. They are not changed any more: any number of threads may read them at once. */
+typedef struct foam_elements foam_elements;
+
+/* An element, in metres. A point p of its own frame is at rotation * p + position. */
+typedef struct foam_element {
+    int kind; /* FOAM_SPHERE, … */
+    double position[3];
+    double rotation[9]; /* row by row */
+    double half[3];     /* half the edges of a box; of a capsule or cylinder, along z, the last one; half axes */
+    double radius;      /* 0 for a kind that has none */
+    size_t vertex_count;    /* of a hull; 0 for other kinds */
+    const double* vertices; /* vertex_count times x, y, z; they live as long as the foam_elements */
+} foam_element;
+
+/* Covers a region with at most `count` elements, by the search and with the result of foam::cover() in C++.
+ *
+ * kinds           the sum of the kinds that may be used: FOAM_CAPSULE | FOAM_BOX
+ * options         NULL: the defaults
+ * elements        gets the elements, spheres first, which foam_elements_free() frees; NULL unless FOAM_OK
+ * report          how many there are, or why there are none
+ *
+ * Returns FOAM_OK, or the kind of error, as foam_spherize(). */
+FOAM_API int foam_cover(const foam_region* region, size_t count, unsigned kinds, const foam_options* options,
+                        foam_elements** elements, foam_report* report);
+/* Returns the number of elements; 0 for NULL. */
+FOAM_API size_t foam_elements_count(const foam_elements* elements);
+/* Sets *element to the element at an index. Returns FOAM_OK, or FOAM_USAGE if there is none. */
+FOAM_API int foam_elements_get(const foam_elements* elements, size_t index, foam_element* element);
+/* Frees the elements of a cover; NULL does nothing. */
+FOAM_API void foam_elements_free(foam_elements* elements);
+
+/* Returns the version of the library, "0.2.0". The text lives as long as the library. */
 FOAM_API const char* foam_version(void);
 
 #ifdef __cplusplus

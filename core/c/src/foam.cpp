@@ -2,7 +2,8 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/internal/scheduler.hpp>
+#include <foam/base/internal/activity.hpp>
+#include <foam/geometry/solid_of_balls.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <fmt/format.h>
@@ -12,11 +13,15 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string_view>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -37,8 +42,9 @@ void check(const foam_options& options) {
     if (options.effort < FOAM_NORMAL || options.effort > FOAM_BEST) {
         throw usage(fmt::format("options->effort is {}; remedy: FOAM_NORMAL, FOAM_FAST or FOAM_BEST", options.effort));
     }
-    if (options.objective < FOAM_EXCESS || options.objective > FOAM_RADIUS) {
-        throw usage(fmt::format("options->objective is {}; remedy: FOAM_EXCESS, FOAM_PROTRUSION or FOAM_RADIUS",
+    if (options.objective < FOAM_EXCESS || options.objective > FOAM_MEAN_PROTRUSION) {
+        throw usage(fmt::format("options->objective is {}; remedy: FOAM_EXCESS, FOAM_PROTRUSION, FOAM_RADIUS or "
+                                "FOAM_MEAN_PROTRUSION",
                                 options.objective));
     }
     if (!(options.time_limit >= 0)) {
@@ -171,64 +177,75 @@ foam::Effort effort_of(const foam_options& options) {
 }
 
 foam::Objective objective_of(const foam_options& options) {
-    return options.objective == FOAM_PROTRUSION ? foam::Objective::protrusion
-           : options.objective == FOAM_RADIUS   ? foam::Objective::radius
-                                                : foam::Objective::excess;
+    return options.objective == FOAM_PROTRUSION        ? foam::Objective::protrusion
+           : options.objective == FOAM_RADIUS          ? foam::Objective::radius
+           : options.objective == FOAM_MEAN_PROTRUSION ? foam::Objective::mean_protrusion
+                                                       : foam::Objective::excess;
 }
 
-foam::Cover search(const foam::Mesh& mesh, std::size_t count, const foam_options& options, Poll& poll) {
-    foam::SpherizeOptions settings{
-        .effort = effort_of(options), .objective = objective_of(options), .seed = options.seed};
-    if (!poll.used()) {
-        return foam::spherize(mesh, count, settings);
-    }
-    settings.stop = [&] { return poll.finish(); };
-    const foam::StopScope scope(&poll);
-    return foam::spherize(mesh, count, settings);
-}
-
-foam::Cover search_on_threads(const foam::Mesh& mesh, std::size_t count, const foam_options& options, Poll& poll) {
+/// Returns the cover of a solid, on the threads and until the time that the options allow.
+foam::Cover search(const foam::Solid& solid, std::size_t count, std::vector<foam::Element::Kind> kinds,
+                   const foam_options& options, Poll& poll) {
+    foam::CoverOptions settings{.kinds = std::move(kinds),
+                                .effort = effort_of(options),
+                                .objective = objective_of(options),
+                                .seed = options.seed};
     foam::Cover cover;
-    foam::on_threads(options.threads, [&] { cover = search(mesh, count, options, poll); });
+    foam::on_threads(options.threads, [&] {
+        if (!poll.used()) {
+            cover = foam::cover(solid, count, settings);
+            return;
+        }
+        settings.stop = [&] { return poll.finish(); };
+        const foam::StopScope scope(&poll);
+        cover = foam::cover(solid, count, settings);
+    });
     return cover;
 }
 
-void spherize(const foam::Mesh& mesh, std::size_t count, const foam_options& options, double* spheres,
-              foam_report& report) {
+foam_options defaults() {
+    foam_options options{};
+    options.size = sizeof(foam_options);
+    return options;
+}
+
+/// Checks the options and the count, searches, and reports.
+foam::Cover covered(const std::function<std::shared_ptr<const foam::Solid>()>& solid, std::size_t count,
+                    std::vector<foam::Element::Kind> kinds, const foam_options* given, foam_report& report) {
+    const foam_options options = given ? *given : defaults();
+    check(options);
+    if (count == 0 || count > FOAM_MAX_SPHERES) {
+        throw usage(fmt::format("count is {}; remedy: 1 to {} {}", count, FOAM_MAX_SPHERES,
+                                kinds == std::vector{foam::Element::Kind::sphere} ? "spheres" : "elements"));
+    }
     Poll poll(options);
     foam::Cover cover;
     try {
-        cover = search_on_threads(mesh, count, options, poll);
+        cover = search(*solid(), count, std::move(kinds), options, poll);
     } catch (...) {
         poll.check();
         throw;
     }
     poll.check();
-    for (std::size_t i = 0; i < cover.spheres.size(); ++i) {
-        const foam::Sphere& sphere = cover.spheres[i];
-        const double row[] = {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius};
-        std::copy(std::begin(row), std::end(row), spheres + 4 * i);
-    }
-    report.spheres = cover.spheres.size();
+    report.spheres = cover.elements.size();
     report.volume = cover.volume;
     report.certified = cover.certificate.holds ? 1 : 0;
     report.finished_early = poll.ended_search() ? 1 : 0;
+    return cover;
 }
 
-void check_and_spherize(const double* vertices, std::size_t vertex_count, const std::uint32_t* triangles,
-                        std::size_t triangle_count, std::size_t count, const foam_options* given, double* spheres,
-                        foam_report& report) {
-    foam_options defaults{};
-    defaults.size = sizeof(foam_options);
-    const foam_options& options = given ? *given : defaults;
-    check(options);
-    if (count == 0 || count > FOAM_MAX_SPHERES) {
-        throw usage(fmt::format("count is {}; remedy: 1 to {} spheres", count, FOAM_MAX_SPHERES));
+/// Returns the kinds of a sum of theirs.
+std::vector<foam::Element::Kind> kinds_in(unsigned sum) {
+    std::vector<foam::Element::Kind> kinds;
+    for (const foam::Element::Kind kind : foam::every_kind()) {
+        if ((sum >> static_cast<unsigned>(kind) & 1U) != 0) {
+            kinds.push_back(kind);
+        }
     }
-    if (!spheres) {
-        throw usage("spheres is NULL; remedy: an array of 4 * count numbers");
+    if (kinds.empty() || sum >> foam::element_kinds != 0) {
+        throw usage(fmt::format("kinds is {}; remedy: the sum of some of FOAM_SPHERE, FOAM_CAPSULE, …", sum));
     }
-    spherize(mesh_of(vertices, vertex_count, triangles, triangle_count), count, options, spheres, report);
+    return kinds;
 }
 
 int status_of(ErrorCode code) {
@@ -264,7 +281,7 @@ int told(foam_report& report) noexcept {
         tell(report, error.what());
         return status_of(error.code());
     } catch (const std::bad_alloc&) {
-        tell(report, "there is not enough memory; remedy: fewer triangles or spheres");
+        tell(report, "there is not enough memory; remedy: fewer triangles or elements");
         return FOAM_MEMORY;
     } catch (const std::exception& error) {
         tell(report, error.what());
@@ -276,21 +293,148 @@ int told(foam_report& report) noexcept {
 
 } // namespace
 
-extern "C" {
+struct foam_region {
+    std::shared_ptr<const foam::Solid> solid;
+};
 
-int foam_spherize(const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
-                  size_t count, const foam_options* options, double* spheres, foam_report* report) {
+struct foam_elements {
+    std::vector<foam::Element> all;
+    std::vector<std::vector<double>> vertices; ///< of each, for hulls
+};
+
+namespace {
+
+/// Calls body(), and reports what it throws.
+template <class Body> int reported(foam_report* report, Body body) noexcept {
     if (!report || report->size != sizeof(foam_report)) {
         return FOAM_USAGE; // there is no place for a text
     }
     *report = foam_report{};
     report->size = sizeof(foam_report);
     try {
-        check_and_spherize(vertices, vertex_count, triangles, triangle_count, count, options, spheres, *report);
+        body();
         return FOAM_OK;
     } catch (...) {
         return told(*report);
     }
+}
+
+template <class Handle> void require_place(Handle** place, const char* name) {
+    if (!place) {
+        throw usage(fmt::format("{} is NULL; remedy: the address of a pointer", name));
+    }
+    *place = nullptr;
+}
+
+std::vector<foam::Sphere> balls_of(const double* points, const double* radii, std::size_t count) {
+    if (!points && count > 0) {
+        throw usage("points is NULL; remedy: an array of three numbers each");
+    }
+    std::vector<foam::Sphere> balls;
+    balls.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        balls.push_back({{points[3 * i], points[3 * i + 1], points[3 * i + 2]}, radii ? radii[i] : 0});
+    }
+    return balls;
+}
+
+void keep(const foam::Elements& found, foam_elements& kept) {
+    for (const foam::Element& element : found) {
+        std::vector<double>& corners = kept.vertices.emplace_back();
+        if (element.hull) {
+            for (const foam::Vec3& p : element.hull->surface.vertices) {
+                corners.insert(corners.end(), {p.x, p.y, p.z});
+            }
+        }
+        kept.all.push_back(element);
+    }
+}
+
+} // namespace
+
+extern "C" {
+
+int foam_spherize(const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
+                  size_t count, const foam_options* options, double* spheres, foam_report* report) {
+    return reported(report, [&] {
+        if (!spheres) {
+            throw usage("spheres is NULL; remedy: an array of 4 * count numbers");
+        }
+        const auto solid = [&] {
+            return foam::Solid::make(mesh_of(vertices, vertex_count, triangles, triangle_count));
+        };
+        const foam::Cover cover = covered(solid, count, {foam::Element::Kind::sphere}, options, *report);
+        for (const foam::Sphere& sphere : cover.elements.spheres()) {
+            const double row[] = {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius};
+            spheres = std::copy(std::begin(row), std::end(row), spheres);
+        }
+    });
+}
+
+int foam_region_of_mesh(const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
+                        foam_region** region, foam_report* report) {
+    return reported(report, [&] {
+        require_place(region, "region");
+        auto made = std::make_unique<foam_region>();
+        made->solid = foam::Solid::make(mesh_of(vertices, vertex_count, triangles, triangle_count));
+        *region = made.release();
+    });
+}
+
+int foam_region_of_points(const double* points, const double* radii, size_t count, foam_region** region,
+                          foam_report* report) {
+    return reported(report, [&] {
+        require_place(region, "region");
+        auto made = std::make_unique<foam_region>();
+        made->solid = foam::solid_of_balls(balls_of(points, radii, count));
+        *region = made.release();
+    });
+}
+
+void foam_region_free(foam_region* region) {
+    delete region;
+}
+
+int foam_cover(const foam_region* region, size_t count, unsigned kinds, const foam_options* options,
+               foam_elements** elements, foam_report* report) {
+    return reported(report, [&] {
+        require_place(elements, "elements");
+        if (!region) {
+            throw usage("region is NULL; remedy: one of foam_region_of_mesh() or foam_region_of_points()");
+        }
+        auto made = std::make_unique<foam_elements>();
+        keep(covered([&] { return region->solid; }, count, kinds_in(kinds), options, *report).elements, *made);
+        *elements = made.release();
+    });
+}
+
+size_t foam_elements_count(const foam_elements* elements) {
+    return elements ? elements->all.size() : 0;
+}
+
+int foam_elements_get(const foam_elements* elements, size_t index, foam_element* element) {
+    if (!element || index >= foam_elements_count(elements)) {
+        return FOAM_USAGE;
+    }
+    const foam::Element& e = elements->all[index];
+    const std::vector<double>& vertices = elements->vertices[index];
+    *element = {};
+    element->kind = 1 << static_cast<int>(e.kind);
+    element->radius = e.radius;
+    element->vertex_count = vertices.size() / 3;
+    element->vertices = vertices.empty() ? nullptr : vertices.data();
+    for (int axis = 0; axis < 3; ++axis) {
+        element->position[axis] = e.pose.translation[axis];
+        element->half[axis] = e.half[axis];
+        for (int column = 0; column < 3; ++column) {
+            element->rotation[3 * axis + column] = e.pose.rotation[static_cast<std::size_t>(axis)][column];
+        }
+    }
+    return FOAM_OK;
+}
+
+void foam_elements_free(foam_elements* elements) {
+    delete elements;
 }
 
 const char* foam_version(void) {

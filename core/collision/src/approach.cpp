@@ -1,5 +1,4 @@
-#include "approach.hpp"
-#include "proof.hpp"
+#include "pairs.hpp"
 
 #include <foam/base/random.hpp>
 #include <foam/collision/separation.hpp>

@@ -1,5 +1,5 @@
 #include "link_shapes.hpp"
-#include "sampling.hpp"
+#include "pairs.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/collision/consequences.hpp>

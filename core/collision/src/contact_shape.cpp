@@ -1,9 +1,9 @@
-#include "contact_shape.hpp"
+#include "link_shapes.hpp"
 
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/inscribed_mesh.hpp>
-#include <foam/geometry/internal/posed_box.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ Mesh mesh_within(const Solid& solid) {
     constexpr int segments = 96; // a radius is off by 0.05 %
     Mesh mesh;
     for (const Solid::Part& part : solid.parts()) {
-        append(mesh, part.primitive ? inscribed_mesh(element_of(*part.primitive, part.pose), segments) : *part.mesh);
+        append(mesh, part.primitive ? inscribed_mesh(moved(*part.primitive, part.pose), segments) : *part.mesh);
     }
     return mesh;
 }

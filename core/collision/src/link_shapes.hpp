@@ -1,10 +1,11 @@
-// The original geometry of a robot's links, to be tested for contact.
+// The geometry of a link, as the pairs are compared: balls in groups, and shapes that touch.
 #pragma once
 
-#include "ball_group.hpp"
-#include "contact_shape.hpp"
-
 #include <foam/collision/self_collision.hpp>
+#include <foam/geometry/internal/bvh.hpp>
+#include <foam/geometry/internal/triangles.hpp>
+#include <foam/geometry/solid.hpp>
+#include <foam/geometry/sphere.hpp>
 
 #include <memory>
 #include <mutex>
@@ -12,7 +13,79 @@
 #include <span>
 #include <vector>
 
+namespace foam::inline collision::self_collision {
+
+/// An element that is no sphere, with a sphere around it.
+struct BoundedElement {
+    Element element;
+    Sphere bound;
+};
+
+struct BallGroup {
+    Sphere bound;
+    std::vector<Sphere> spheres;
+    std::vector<BoundedElement> shaped; ///< elements that are no spheres
+
+    /// Precondition: there is at least one element.
+    explicit BallGroup(const Elements& elements) : spheres(elements.spheres()) {
+        std::vector<Sphere> all = spheres;
+        for (const Element& element : elements.shaped()) {
+            shaped.push_back({element, minimum_enclosing_sphere(enclosing_mesh(element).vertices)});
+            all.push_back(shaped.back().bound);
+        }
+        bound = enclosing_sphere(all);
+    }
+};
+
+/// Returns the distance between the surfaces, m; negative where the spheres overlap.
+inline double gap(const Sphere& a, const Sphere& b) {
+    return distance(a.center, b.center) - a.radius - b.radius;
+}
+
+/// Returns whether the balls have a common point.
+inline bool touch(const Sphere& a, const Sphere& b) {
+    const double reach = a.radius + b.radius;
+    return squared_norm(a.center - b.center) <= reach * reach;
+}
+
+inline Sphere moved(const Pose& pose, const Sphere& sphere) {
+    return {pose * sphere.center, sphere.radius};
+}
+
+/// Returns whether elements of two links touch. O(n · m) in the elements near the other link.
+bool touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
+/// Returns the same of those pairs of elements of which at least one is no sphere.
+bool shaped_touch(const BallGroup& a, const Pose& pose_a, const BallGroup& b, const Pose& pose_b);
+
+} // namespace foam::inline collision::self_collision
+
 namespace foam::inline collision {
+
+/// The geometry of a link: its meshes, and polyhedra within its primitives. So whatever touches is in contact for
+/// certain, and round primitives are in contact a little earlier.
+class ContactShape {
+public:
+    explicit ContactShape(std::shared_ptr<const Solid> solid);
+
+    /// Contains all of it, in the link's frame.
+    const Sphere& bound() const { return bound_; }
+    /// Returns whether a triangle of one passes through a triangle of the other, or a piece of one lies in the other.
+    /// `pose`: from the other's frame to this one's. O(m log n) for m triangles near the other.
+    bool touches(const ContactShape& other, const Pose& pose) const;
+
+private:
+    bool crosses(const ContactShape& other, const Pose& pose) const;
+    /// Returns whether a connected piece of the other lies inside.
+    bool holds_piece_of(const ContactShape& other, const Pose& pose) const;
+    TriangleCorners corners(std::uint32_t triangle) const;
+
+    std::shared_ptr<const Solid> solid_;
+    Mesh mesh_;
+    std::vector<Box> boxes_; ///< of the triangles
+    Bvh bvh_;
+    std::vector<Vec3> of_pieces_; ///< a vertex of each connected piece
+    Sphere bound_;
+};
 
 /// The shape of each link, made when it is first needed: links that never come near another have none. Thread-safe.
 class LinkShapes {

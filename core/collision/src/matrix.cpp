@@ -1,8 +1,6 @@
 // The self-collision matrix: neighbours first, then samples and proofs of the elements, then the original geometry.
-#include "approach.hpp"
 #include "link_shapes.hpp"
-#include "proof.hpp"
-#include "sampling.hpp"
+#include "pairs.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>

@@ -1,4 +1,4 @@
-#include "proof.hpp"
+#include "pairs.hpp"
 
 #include <foam/collision/separation.hpp>
 

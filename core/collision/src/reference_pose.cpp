@@ -1,5 +1,5 @@
 #include "link_shapes.hpp"
-#include "proof.hpp"
+#include "pairs.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>

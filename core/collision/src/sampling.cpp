@@ -1,4 +1,4 @@
-#include "sampling.hpp"
+#include "pairs.hpp"
 
 #include <algorithm>
 

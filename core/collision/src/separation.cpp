@@ -14,100 +14,44 @@ constexpr double rounding_of_distances = 1e-12;
 /// An element in the common frame: a core, widened by a radius where the kind allows it.
 class Placed {
 public:
-    Placed(const Element& element, const Pose& link) : element_(element), pose_(link * element.pose) {}
+    Placed(const Element& element, const Pose& link)
+        : core_(moved(element, link)), radius_(widening(element)), own_(element.radius) {
+        core_.radius -= radius_;
+    }
 
     /// Returns the radius around the core.
-    double radius() const { return has_round_edges() ? element_.radius : 0; }
-
+    double radius() const { return radius_; }
     /// Returns the farthest point of the core along a direction.
-    Vec3 support(const Vec3& direction) const {
-        const std::array<Vec3, 3>& r = pose_.rotation;
-        const Vec3 d = r[0] * direction.x + r[1] * direction.y + r[2] * direction.z; // in the element's frame
-        return pose_ * own_support(d);
-    }
+    Vec3 support(const Vec3& direction) const { return foam::support(core_, direction); }
 
     /// Returns a point in the middle.
     Vec3 middle() const {
-        if (!element_.hull) {
-            return pose_.translation;
+        if (!core_.hull) {
+            return core_.pose.translation;
         }
         Box box;
-        for (const Vec3& vertex : element_.hull->surface.vertices) {
+        for (const Vec3& vertex : core_.hull->surface.vertices) {
             box.add(vertex);
         }
-        return pose_ * box.center();
+        return core_.pose * box.center();
     }
 
     /// Returns the radius of a ball around the point that lies in the element; negative if the point does not.
-    double depth_at(const Vec3& point) const {
-        const std::array<Vec3, 3>& r = pose_.rotation;
-        const Vec3 away = point - pose_.translation;
-        return own_depth(r[0] * away.x + r[1] * away.y + r[2] * away.z);
-    }
+    double depth_at(const Vec3& point) const { return radius_ - signed_distance(core_, point); }
 
-    double size() const { return norm(element_.half) + element_.radius + hull_size(); }
-
-private:
-    bool has_round_edges() const {
-        return element_.kind == Element::Kind::sphere || element_.kind == Element::Kind::capsule ||
-               element_.kind == Element::Kind::swept_box;
-    }
-
-    double hull_size() const {
-        double size = 0;
-        if (element_.hull) {
-            for (const Vec3& vertex : element_.hull->surface.vertices) {
+    double size() const {
+        double size = norm(core_.half) + own_;
+        if (core_.hull) {
+            for (const Vec3& vertex : core_.hull->surface.vertices) {
                 size = std::max(size, norm(vertex));
             }
         }
         return size;
     }
 
-    Vec3 own_support(const Vec3& d) const {
-        if (element_.kind == Element::Kind::hull) {
-            const std::vector<Vec3>& vertices = element_.hull->surface.vertices;
-            return *std::max_element(vertices.begin(), vertices.end(),
-                                     [&](const Vec3& a, const Vec3& b) { return dot(a, d) < dot(b, d); });
-        }
-        Vec3 corner{std::copysign(element_.half.x, d.x), std::copysign(element_.half.y, d.y),
-                    std::copysign(element_.half.z, d.z)};
-        if (element_.kind == Element::Kind::cylinder) {
-            const double across = std::hypot(d.x, d.y);
-            corner.x = across > 0 ? element_.radius * d.x / across : 0;
-            corner.y = across > 0 ? element_.radius * d.y / across : 0;
-        }
-        return corner;
-    }
-
-    double own_depth(const Vec3& p) const {
-        const Vec3 beyond{std::abs(p.x) - element_.half.x, std::abs(p.y) - element_.half.y,
-                          std::abs(p.z) - element_.half.z};
-        switch (element_.kind) {
-        case Element::Kind::hull: {
-            double least = std::numeric_limits<double>::infinity();
-            for (const Polytope::Face& face : element_.hull->faces) {
-                least = std::min(least, face.offset - dot(face.normal, p));
-            }
-            return least;
-        }
-        case Element::Kind::cylinder:
-            return std::min(element_.radius - std::hypot(p.x, p.y), -beyond.z);
-        case Element::Kind::sphere:
-        case Element::Kind::capsule:
-        case Element::Kind::box:
-        case Element::Kind::swept_box:
-            break;
-        }
-        const double inside = -std::max({beyond.x, beyond.y, beyond.z});
-        if (inside >= 0) {
-            return inside + radius();
-        }
-        return radius() -
-               norm({std::max(beyond.x, 0.0), std::max(beyond.y, 0.0), std::max(beyond.z, 0.0)});
-    }
-
-    const Element& element_;
-    Pose pose_;
+private:
+    Element core_;
+    double radius_, own_;
 };
 
 /// The result for two cores.

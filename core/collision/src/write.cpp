@@ -1,5 +1,4 @@
 // The self-collision matrix in other tools' files.
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 #include <foam/collision/self_collision.hpp>
 

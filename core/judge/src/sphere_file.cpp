@@ -2,7 +2,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include <foam/collision/reference_pose.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/judge/written_model.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/kinds.hpp>
 

@@ -1,4 +1,4 @@
-#include "change.hpp"
+#include "format.hpp"
 
 #include <foam/recipe/internal/check.hpp>
 

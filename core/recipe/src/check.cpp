@@ -1,11 +1,9 @@
 #include <foam/recipe/internal/check.hpp>
 
-#include "facts.hpp"
 #include "format.hpp"
 
-#include <foam/recipe/internal/extend.hpp>
-#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include <foam/recipe/internal/edit.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
-#include <foam/recipe/internal/extend.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
-#include "change.hpp"
+#include "format.hpp"
 
 #include <foam/recipe/internal/check.hpp>
-#include <foam/recipe/internal/source.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "facts.hpp"
+#include "format.hpp"
 
 #include <foam/recipe/internal/check.hpp>
-#include <foam/recipe/internal/facts.hpp>
+#include <foam/recipe/internal/keys.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

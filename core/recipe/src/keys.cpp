@@ -231,12 +231,11 @@ const std::vector<KeyOf<Recipe>>& cost_keys() {
         return price(to_string(kind), fmt::format("a check of a {}", to_string(kind)),
                      [](ElementCost& cost) -> double& { return cost.of_kind[static_cast<std::size_t>(kind)]; });
     };
-    static const std::vector<KeyOf<Recipe>> keys{
-        of_kind.template operator()<Kind::sphere>(),   of_kind.template operator()<Kind::capsule>(),
-        of_kind.template operator()<Kind::cylinder>(), of_kind.template operator()<Kind::box>(),
-        of_kind.template operator()<Kind::swept_box>(), of_kind.template operator()<Kind::hull>(),
-        price("hull_vertex", "each vertex of a hull, in addition",
-              [](ElementCost& cost) -> double& { return cost.of_hull_vertex; })};
+    static const std::vector<KeyOf<Recipe>> keys = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
+        return std::vector<KeyOf<Recipe>>{of_kind.template operator()<static_cast<Kind>(kind)>()...,
+                                          price("hull_vertex", "each vertex of a hull, in addition",
+                                                [](ElementCost& cost) -> double& { return cost.of_hull_vertex; })};
+    }(std::make_index_sequence<element_kinds>());
     return keys;
 }
 

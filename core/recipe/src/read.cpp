@@ -1,8 +1,8 @@
-#include "change.hpp"
+#include "format.hpp"
 
+#include <foam/base/file.hpp>
 #include <foam/recipe/internal/check.hpp>
-#include <foam/recipe/internal/extend.hpp>
-#include <foam/recipe/internal/source.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include <fmt/format.h>
 
@@ -179,4 +179,21 @@ RecipeResult parse_recipe(const std::string& text, const fs::path& file, Registr
     return finish(read_tree(text, file, registry, {settings, variants}, findings), findings);
 }
 
-} // namespace foam::recipe
+} // namespace foam::inline recipe
+
+namespace foam::inline recipe::reading {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file, std::string& text) {
+    std::error_code error;
+    if (fs::is_directory(file, error)) {
+        return "it is a folder; remedy: name the recipe file in it";
+    }
+    constexpr std::uintmax_t most = 1'000'000; // the limit of check_text()
+    FileContents contents = read_regular_file(file, most, "check that this is a recipe");
+    text = std::move(contents.bytes);
+    return contents.why_not();
+}
+
+} // namespace foam::inline recipe::reading

@@ -1,5 +1,4 @@
 // JSON Schema of recipes: for editors and for checks by other tools.
-#include "facts.hpp"
 #include "format.hpp"
 
 #include <foam/geometry/length.hpp>

@@ -1,4 +1,4 @@
-#include <foam/recipe/internal/typed.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 #include "format.hpp"
 

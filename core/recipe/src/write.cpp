@@ -1,7 +1,6 @@
 // Recipe -> YAML.
 #include "format.hpp"
 
-#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>

@@ -1,10 +1,10 @@
 // The histogram of radii.
-#include "plot/scale.hpp"
+#include "scale.hpp"
 #include "sections.hpp"
-#include "text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace foam::inline report {
@@ -21,14 +21,13 @@ struct Histogram {
 
 Histogram histogram_of(const std::vector<double>& radii) {
     Histogram result;
-    result.x = plot::scale_over({.label = "", .ticks = {}}, radii);
+    result.x = plot::scale_over(radii);
     result.counts.resize(bins_per_tick * std::max<std::size_t>(1, result.x.ticks.size() - 1));
     for (const double radius : radii) {
         const double place = result.x.position(radius) * static_cast<double>(result.counts.size());
         ++result.counts[std::min(static_cast<std::size_t>(place), result.counts.size() - 1)];
     }
-    result.y = plot::scale_over({.label = "", .ticks = {}},
-                                {static_cast<double>(*std::max_element(result.counts.begin(), result.counts.end()))});
+    result.y = plot::scale_over({static_cast<double>(*std::max_element(result.counts.begin(), result.counts.end()))});
     return result;
 }
 
@@ -108,4 +107,4 @@ std::string radii_section(const Report& report) {
                                                                     number(*most, 2)));
 }
 
-} // namespace foam::report
+} // namespace foam::inline report

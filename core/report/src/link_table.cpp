@@ -1,8 +1,7 @@
 // The figures of every link.
 #include "sections.hpp"
-#include "text.hpp"
 
-#include <foam/report/bar_scale.hpp>
+#include <foam/report/html_page.hpp>
 
 #include <fmt/format.h>
 

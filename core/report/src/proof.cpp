@@ -1,7 +1,5 @@
 // The certificate: what is proved of which file, the method, and the work for each link.
 #include "sections.hpp"
-#include "text.hpp"
-#include "verdict.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 // Inputs and outputs with their digests; how to reproduce the run; its times.
 #include "sections.hpp"
-#include "text.hpp"
 
-#include <foam/report/bar_scale.hpp>
+#include <foam/report/html_page.hpp>
 
 #include <fmt/format.h>
 

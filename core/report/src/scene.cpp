@@ -1,6 +1,5 @@
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
 
 #include <nlohmann/json.hpp>

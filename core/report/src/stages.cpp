@@ -1,8 +1,7 @@
 // The viewer, and each link after each stage: the elements for the script's drawings.
 #include "sections.hpp"
-#include "text.hpp"
 
-#include <foam/base/markup.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,5 @@
 // Name, verdict and figures of the whole model.
 #include "sections.hpp"
-#include "text.hpp"
-#include "verdict.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,4 @@
-#include "verdict.hpp"
-
-#include "text.hpp"
+#include "sections.hpp"
 
 #include <foam/robot/proved_links.hpp>
 

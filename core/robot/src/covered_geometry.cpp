@@ -1,4 +1,4 @@
-#include <foam/robot/covered_geometry.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ bool same_geometry(const Geometry& a, const Geometry& b) {
     if (mesh && other) {
         return mesh->path == other->path && mesh->scale == other->scale;
     }
-    return !mesh && !other && std::get<Primitive>(a) == std::get<Primitive>(b);
+    return !mesh && !other && std::get<Element>(a) == std::get<Element>(b);
 }
 
 bool has(const std::vector<GeometryElement>& elements, const GeometryElement& element) {

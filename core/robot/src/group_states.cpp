@@ -1,6 +1,6 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/robot/group_states.hpp>
+#include <foam/robot/robot.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include <foam/runtime/plan.hpp>
 
 #include "allocate/budget.hpp"
-#include "finish/kept.hpp"
-#include "input/names.hpp"
-#include "allocate/trees.hpp"
+#include "allocate/exploration.hpp"
+#include "finish/finish.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/runtime/internal/input.hpp>
 

@@ -1,21 +1,15 @@
-#include "write/consumers.hpp"
-#include "finish/enclosing.hpp"
-#include "finish/hollow_links.hpp"
-#include "input/input_size.hpp"
-#include "finish/loose_links.hpp"
-#include "record/manifest.hpp"
-#include "input/names.hpp"
-#include "allocate/random_poses.hpp"
+#include "allocate/budget.hpp"
+#include "finish/finish.hpp"
+#include "input/inputs.hpp"
+#include "process/process.hpp"
+#include "record/record.hpp"
 #include "write/report.hpp"
-#include "allocate/separation.hpp"
-#include "finish/visual_gap.hpp"
-#include "process/watchdog.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/cache.hpp>
-#include <foam/runtime/internal/debug.hpp>
 #include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/internal/output.hpp>
 #include <foam/runtime/run.hpp>
 #include <foam/sdk/kinds.hpp>
 

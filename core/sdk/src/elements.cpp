@@ -2,6 +2,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -22,29 +23,11 @@ Vec3 point_of(const std::vector<double>& numbers, std::size_t first = 0) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
-/// Returns the names that an element of a kind has besides position and rotation.
-std::vector<std::string_view> names_of(Kind kind) {
-    switch (kind) {
-    case Kind::sphere:
-        return {"radius"};
-    case Kind::capsule:
-    case Kind::cylinder:
-        return {"length", "radius"};
-    case Kind::box:
-        return {"size"};
-    case Kind::swept_box:
-        return {"size", "radius"};
-    case Kind::hull:
-        return {"vertices"};
-    }
-    return {};
-}
-
 /// Sets what one name states.
 void take_numbers(Element& element, const std::string& name, const std::vector<double>& numbers) {
-    if (name == "position" || name == "size") {
+    if (name == "position" || name == "size" || name == "radii") {
         require_number_count(name, numbers, 3);
-        (name == "size" ? element.half : element.pose.translation) = point_of(numbers) * (name == "size" ? 0.5 : 1.0);
+        (name == "position" ? element.pose.translation : element.half) = point_of(numbers) * (name == "size" ? 0.5 : 1.0);
     } else if (name == "rotation") {
         require_number_count(name, numbers, 9);
         element.pose.rotation = {point_of(numbers), point_of(numbers, 3), point_of(numbers, 6)};
@@ -79,10 +62,6 @@ std::string file_word(const std::string& name) {
 
 } // namespace
 
-std::vector<Element::Kind> every_kind() {
-    return {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull};
-}
-
 std::map<std::string, Elements> elements_of(SphereFile file) {
     std::map<std::string, Elements> result;
     for (LinkSpheres& link : file.links) {
@@ -101,7 +80,8 @@ std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const Kn
                 for (const Element& part : capsule_parts(element)) {
                     stated.add(part);
                 }
-            } else if (element.kind == Kind::swept_box || element.kind == Kind::hull) {
+            } else if (element.kind == Kind::swept_box || element.kind == Kind::hull ||
+                       (element.kind == Kind::ellipsoid && !known.ellipsoids)) {
                 const Element hull = enclosing_hull(element, known.segments);
                 stated.add(known.float32_hulls ? float32_hull(hull) : hull);
             } else {
@@ -140,8 +120,8 @@ Parameter segments_parameter() {
     return Parameter::integer("segments", 8)
         .bounds(4, 64)
         .unit("1")
-        .doc("Around a circle of the hull that stands for a swept box, which this format does not know: a multiple of "
-             "4. The hull encloses the swept box.")
+        .doc("Around a circle of the hull that stands for a round element that this format does not know: a multiple of "
+             "4. The hull encloses the element.")
         .source("48 vertices; engines want at most 64.");
 }
 
@@ -164,7 +144,7 @@ ElementNumbers numbers_of(const Element& element) {
         }
         numbers.emplace_back("rotation", std::move(rotation));
     }
-    for (const std::string_view name : names_of(element.kind)) {
+    for (const std::string_view name : number_names(element.kind)) {
         std::vector<double> values;
         if (name == "length") {
             values = {2 * element.half.z};
@@ -172,6 +152,8 @@ ElementNumbers numbers_of(const Element& element) {
             values = {element.radius};
         } else if (name == "size") {
             values = {2 * element.half.x, 2 * element.half.y, 2 * element.half.z};
+        } else if (name == "radii") {
+            values = {element.half.x, element.half.y, element.half.z};
         } else {
             for (const Vec3& p : element.hull->surface.vertices) {
                 values.insert(values.end(), {p.x, p.y, p.z});
@@ -185,12 +167,12 @@ ElementNumbers numbers_of(const Element& element) {
 Element element_of(std::string_view kind, const ElementNumbers& numbers) {
     const std::optional<Kind> known = element_kind_named(kind);
     if (!known) {
-        throw Error(ErrorCode::input, fmt::format("'{}' is no kind of element; there are sphere, capsule, cylinder, "
-                                                  "box, swept_box and hull",
-                                                  shown(kind)));
+        throw Error(ErrorCode::input,
+                    fmt::format("'{}' is no kind of element; there are {}", shown(kind), fmt::join(kind_words(), ", ")));
     }
     Element element{.kind = *known};
-    std::vector<std::string_view> wanted = names_of(*known);
+    const auto own = number_names(*known);
+    std::vector<std::string_view> wanted(own.begin(), own.end());
     wanted.insert(wanted.begin(), "position");
     for (const auto& [name, values] : numbers) {
         if (std::erase(wanted, name) == 0 && name != "rotation") {

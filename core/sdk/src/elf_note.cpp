@@ -1,4 +1,4 @@
-#include "elf_note.hpp"
+#include "plugin_file.hpp"
 
 #include <fmt/format.h>
 

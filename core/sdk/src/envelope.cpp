@@ -1,4 +1,4 @@
-#include "envelope.hpp"
+#include "plugin_file.hpp"
 
 #include <foam/base/text.hpp>
 

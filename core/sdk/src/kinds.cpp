@@ -55,6 +55,14 @@ std::string words_of(const std::vector<Element::Kind>& kinds) {
     return words;
 }
 
+std::vector<std::string> kind_words() {
+    std::vector<std::string> words;
+    for (const Element::Kind kind : every_kind()) {
+        words.emplace_back(to_string(kind));
+    }
+    return words;
+}
+
 std::vector<Element::Kind> kinds_named(const std::vector<std::string>& words, std::string_view where) {
     std::set<Element::Kind> kinds;
     for (const std::string& word : words) {
@@ -62,8 +70,7 @@ std::vector<Element::Kind> kinds_named(const std::vector<std::string>& words, st
         if (!kind) {
             throw Error(
                 ErrorCode::usage,
-                fmt::format("{}: there is no kind '{}'; there are: sphere, capsule, cylinder, box, swept_box, hull",
-                            where, shown(word)));
+                fmt::format("{}: there is no kind '{}'; there are: {}", where, shown(word), fmt::join(kind_words(), ", ")));
         }
         kinds.insert(*kind);
     }

@@ -1,6 +1,6 @@
 #include <foam/base/error.hpp>
 #include <foam/sdk/elements.hpp>
-#include <foam/sdk/uncovered.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 

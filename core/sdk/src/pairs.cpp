@@ -1,4 +1,4 @@
-#include <foam/sdk/pairs.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <foam/base/text.hpp>
 #include <foam/sdk/context.hpp>

@@ -1,7 +1,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/sdk/planning.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

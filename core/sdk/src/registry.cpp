@@ -1,6 +1,4 @@
-#include "build_identity.hpp"
-#include "elf_note.hpp"
-#include "envelope.hpp"
+#include "plugin_file.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/activity.hpp>

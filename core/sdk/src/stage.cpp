@@ -1,9 +1,11 @@
 // Out-of-line destructors and defaults of the classes that plugins derive from: their type information exists only in
 // core.
-#include <foam/base/error.hpp>
-#include <foam/sdk/pairs.hpp>
-#include <foam/sdk/plugin.hpp>
 #include <foam/sdk/stage.hpp>
+
+#include <foam/base/error.hpp>
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/plugin.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
@@ -121,5 +123,28 @@ const char* to_string(StageKind kind) {
     }
     return "stage";
 }
+
+Context::~Context() = default;
+
+void Context::check_cancelled() const {
+    if (cancelled()) {
+        throw Error(ErrorCode::cancelled, "cancelled");
+    }
+}
+
+QuietContext::QuietContext(std::uint64_t seed) : seed_(seed) {}
+QuietContext::~QuietContext() = default;
+std::uint64_t QuietContext::seed() const {
+    return seed_;
+}
+bool QuietContext::cancelled() const {
+    return false;
+}
+void QuietContext::progress(double) {}
+void QuietContext::log(Severity, std::string_view) {}
+void QuietContext::metric(std::string_view, double, std::string_view) {}
+
+MeshColours::MeshColours() = default;
+MeshColours::~MeshColours() = default;
 
 } // namespace foam::inline sdk

@@ -1,4 +1,4 @@
-#include "api.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

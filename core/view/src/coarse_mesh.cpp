@@ -1,4 +1,4 @@
-#include "coarse_mesh.hpp"
+#include "drawn_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>

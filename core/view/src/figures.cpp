@@ -1,5 +1,5 @@
 // What is measured and proved of the spheres of a session.
-#include "link_index.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/collision/self_collision.hpp>

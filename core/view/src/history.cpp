@@ -1,4 +1,4 @@
-#include "history.hpp"
+#include "session_work.hpp"
 
 namespace foam::inline view {
 

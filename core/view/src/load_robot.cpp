@@ -1,13 +1,13 @@
-#include "load_robot.hpp"
-
-#include "poses.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
 #include <foam/judge/written_model.hpp>
+#include <foam/robot/robot.hpp>
 #include <foam/runtime/internal/reading.hpp>
-#include <foam/sdk/mesh_colours.hpp>
+#include <foam/sdk/context.hpp>
 
 #include <fmt/format.h>
 
@@ -71,7 +71,7 @@ public:
     std::shared_ptr<const ViewedMesh> of(const CollisionElement& element, const FileColours* colours) {
         const auto* reference = std::get_if<MeshReference>(&element.source->geometry);
         const std::vector<Colour>* own = nullptr;
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             return std::make_shared<const ViewedMesh>(
                 ViewedMesh{std::make_shared<const Mesh>(enclosing_mesh(*primitive)), {}});
         }
@@ -131,8 +131,8 @@ void judge_links(ViewedRobot& robot, CoveredGeometry geometry) {
 } // namespace
 
 bool is_sphere(const GeometryElement& element) {
-    const auto* primitive = std::get_if<Primitive>(&element.geometry);
-    return primitive && primitive->kind == Primitive::Kind::sphere;
+    const auto* primitive = std::get_if<Element>(&element.geometry);
+    return primitive && primitive->kind == Element::Kind::sphere;
 }
 
 bool is_sphere_model(const Robot& robot) {
@@ -207,6 +207,25 @@ ViewedRobot robot_of_names(const SphereFile& file) {
     result.robot = links_alone(file);
     result.links.resize(result.robot->links.size());
     return result;
+}
+
+std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf) {
+    std::vector<NamedPose> poses{{"zero", kinematics.configuration()}, {"middle", {}}};
+    for (const Freedom& freedom : kinematics.freedoms()) {
+        poses.back().configuration.push_back((freedom.lower + freedom.upper) / 2);
+    }
+    if (srdf.empty()) {
+        return poses;
+    }
+    for (const GroupState& state : group_states(read_file(srdf, most_robot_bytes), srdf.string())) {
+        NamedPose& pose = poses.emplace_back(NamedPose{state.name, kinematics.configuration()});
+        for (std::size_t i = 0; i < pose.configuration.size(); ++i) { // joints of another version are left out
+            if (const auto value = state.values.find(kinematics.freedoms()[i].joint); value != state.values.end()) {
+                pose.configuration[i] = value->second;
+            }
+        }
+    }
+    return poses;
 }
 
 } // namespace foam::inline view

@@ -1,11 +1,10 @@
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 
 #include "embedded_resources.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/base/markup.hpp>
 #include <foam/base/text.hpp>
-#include <foam/report/internal/policy.hpp>
+#include <foam/report/internal/report.hpp>
 
 #include <fmt/format.h>
 

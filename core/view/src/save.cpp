@@ -1,7 +1,4 @@
-#include "save.hpp"
-
-#include "link_index.hpp"
-#include "search.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>

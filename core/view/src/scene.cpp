@@ -1,12 +1,11 @@
 #include <foam/view/scene.hpp>
 
-#include "coarse_mesh.hpp"
 #include "drawn_mesh.hpp"
-#include "link_index.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
-#include <foam/report/internal/scene.hpp>
+#include <foam/report/internal/report.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <fmt/format.h>

@@ -1,11 +1,8 @@
-#include "search.hpp"
-
-#include "link_index.hpp"
-#include "load_robot.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/ladder.hpp>
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
 #include <foam/recipe/internal/glob.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/internal/cover.hpp>
@@ -20,9 +17,9 @@
 namespace foam::inline view {
 namespace {
 
-SpherizeOptions within(double seconds, const std::atomic<bool>& cancel) {
+CoverOptions within(double seconds, const std::atomic<bool>& cancel) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    SpherizeOptions options;
+    CoverOptions options;
     options.effort = Effort::fast;
     options.stop = [end, &cancel] { return cancel || std::chrono::steady_clock::now() >= end; };
     return options;
@@ -46,7 +43,7 @@ std::vector<Sphere> pinned_in(const LinkState& link) {
 
 std::vector<Sphere> searched_link(const Solid& solid, std::size_t count, const std::vector<Sphere>& kept,
                                   double seconds, const std::atomic<bool>& cancel) {
-    const SpherizeOptions options = within(seconds, cancel);
+    const CoverOptions options = within(seconds, cancel);
     if (kept.empty()) {
         return finished(solid, spherize(solid, count, options).spheres);
     }

@@ -1,24 +1,48 @@
 #include <foam/view/server.hpp>
 
-#include "api.hpp"
-#include "token.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
-#include <foam/view/page.hpp>
+#include <foam/view/scene.hpp>
 
 #include <fmt/format.h>
 #include <httplib.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/random.h>
+
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <thread>
 
 namespace foam::inline view {
+
 namespace {
+
+/// Returns 32 hexadecimal digits from the random numbers of the operating system. Throws Error(internal) if it has
+/// none.
+std::string random_token() {
+    std::array<unsigned char, 16> bytes{};
+    if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+        throw Error(ErrorCode::internal, "the operating system gives no random numbers");
+    }
+    return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+/// Compares in a time that does not depend on where the texts differ.
+bool same_secret(std::string_view a, std::string_view b) {
+    unsigned difference = a.size() == b.size() ? 0 : 1;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned>(static_cast<unsigned char>(b[i]));
+    }
+    return difference == 0;
+}
 
 constexpr const char* loopback = "127.0.0.1";
 

@@ -1,8 +1,6 @@
 #include <foam/view/session.hpp>
 
-#include "history.hpp"
-#include "save.hpp"
-#include "search.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/ladder.hpp>

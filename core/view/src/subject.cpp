@@ -1,13 +1,12 @@
 #include <foam/view/subject.hpp>
 
-#include "link_index.hpp"
-#include "load_robot.hpp"
+#include "session_work.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
-#include <foam/judge/sphere_file.hpp>
+#include <foam/judge/evaluate.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/xml/document.hpp>
 

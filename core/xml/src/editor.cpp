@@ -1,4 +1,4 @@
-#include <foam/xml/editor.hpp>
+#include <foam/xml/document.hpp>
 
 #include <foam/base/cancellation.hpp>
 

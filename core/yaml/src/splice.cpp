@@ -1,4 +1,3 @@
-#include <foam/yaml/splice.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>

@@ -25,7 +25,7 @@ int main() {
     foam::SphereCache cache;
     const foam::Mesh object = grasped();
 
-    foam::SpherizeOptions options;
+    foam::CoverOptions options;
     options.effort = foam::Effort::fast;
     const auto cover = cache.spherize(object, 8, options);
     for (const foam::Sphere& s : cover->spheres) {
@@ -39,7 +39,7 @@ int main() {
 
     // The search continues until the time is up, and returns the best covering spheres so far.
     const auto end = Clock::now() + std::chrono::milliseconds(50);
-    const foam::Cover better = foam::spherize(object, 8, {.stop = [&] { return Clock::now() > end; }});
+    const foam::SphereCover better = foam::spherize(object, 8, {.stop = [&] { return Clock::now() > end; }});
     std::cout << (better.certificate.holds ? "proved within the time\n" : "not proved\n");
     return cover->certificate.holds && known && better.certificate.holds ? 0 : 1;
 }

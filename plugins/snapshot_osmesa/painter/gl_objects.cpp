@@ -1,6 +1,4 @@
-#include "gl_objects.hpp"
-
-#include "shaders.hpp"
+#include "rasterizer.hpp"
 
 #include <foam/base/error.hpp>
 

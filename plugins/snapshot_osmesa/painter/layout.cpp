@@ -1,4 +1,4 @@
-#include "layout.hpp"
+#include "scene.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "offscreen.hpp"
+#include "rasterizer.hpp"
 
 #include <foam/base/error.hpp>
 

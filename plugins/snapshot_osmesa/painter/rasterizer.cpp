@@ -1,8 +1,5 @@
 #include "rasterizer.hpp"
 
-#include "gl_objects.hpp"
-#include "shaders.hpp"
-
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 

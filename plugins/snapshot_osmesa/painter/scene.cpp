@@ -1,7 +1,5 @@
 #include "scene.hpp"
 
-#include "colour_map.hpp"
-
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>

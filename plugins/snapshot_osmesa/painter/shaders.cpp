@@ -1,4 +1,4 @@
-#include "shaders.hpp"
+#include "rasterizer.hpp"
 
 namespace foam::snapshot::shaders {
 

@@ -1,4 +1,4 @@
-#include "text.hpp"
+#include "colour_bar.hpp"
 
 #include <opencv2/imgproc.hpp>
 

@@ -6,7 +6,7 @@
 // Exit codes: 0 all passed, 1 findings, 2 usage.
 #include "workers.hpp"
 
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include "workers.hpp"
 
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fcntl.h>
 #include <poll.h>

@@ -9,31 +9,24 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace foam::inline bench {
 namespace {
 
 /// Returns the element that libraries check instead.
 Element as_checked(const Element& element) {
-    return element.kind == Element::Kind::swept_box ? enclosing_hull(element) : element;
+    const bool unknown = element.kind == Element::Kind::swept_box || element.kind == Element::Kind::ellipsoid;
+    return unknown ? enclosing_hull(element) : element;
 }
 
 EngineShape shape_of(const Element& given) {
-    const Element element = as_checked(given);
-    switch (element.kind) {
-    case Element::Kind::sphere:
-        return {element.pose, Primitive{Primitive::Kind::sphere, {}, element.radius, 0}};
-    case Element::Kind::capsule:
-        return {element.pose, Primitive{Primitive::Kind::capsule, {}, element.radius, 2 * element.half.z}};
-    case Element::Kind::cylinder:
-        return {element.pose, Primitive{Primitive::Kind::cylinder, {}, element.radius, 2 * element.half.z}};
-    case Element::Kind::box:
-        return {element.pose, Primitive{Primitive::Kind::box, 2 * element.half, 0, 0}};
-    case Element::Kind::swept_box:
-    case Element::Kind::hull:
-        break;
+    Element element = as_checked(given);
+    const Pose pose = std::exchange(element.pose, Pose{});
+    if (element.hull) {
+        return {pose, std::make_shared<const Mesh>(element.hull->surface), true};
     }
-    return {element.pose, std::make_shared<const Mesh>(element.hull->surface), true};
+    return {pose, element};
 }
 
 std::vector<Element> all_elements(const std::vector<LinkSpheres>& links) {

@@ -14,7 +14,7 @@ namespace {
 Box bounds_of(const EngineShape& shape) {
     Box box;
     const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape.geometry);
-    const Mesh enclosing = mesh ? Mesh{} : enclosing_mesh(std::get<Primitive>(shape.geometry));
+    const Mesh enclosing = mesh ? Mesh{} : enclosing_mesh(std::get<Element>(shape.geometry));
     for (const Vec3& v : mesh ? (*mesh)->vertices : enclosing.vertices) {
         box.add(shape.pose * v);
     }
@@ -50,18 +50,13 @@ double distance_to(const Box& box, const Vec3& p) {
     return std::sqrt(square);
 }
 
-Primitive random_shape(bool box, const EnvironmentRule& rule, Random& random) {
+Element random_shape(bool box, const EnvironmentRule& rule, Random& random) {
     const auto edge = [&] { return random.uniform(rule.smallest, rule.largest); };
-    Primitive shape;
-    if (box) {
-        shape.kind = Primitive::Kind::box;
-        shape.size.x = edge();
-        shape.size.y = edge();
-        shape.size.z = edge();
-    } else {
-        shape.radius = edge() / 2;
+    if (!box) {
+        return Element::sphere(edge() / 2);
     }
-    return shape;
+    const double x = edge(), y = edge();
+    return Element::box({x, y, edge()});
 }
 
 } // namespace
@@ -127,8 +122,8 @@ std::vector<Obstacle> random_environment(const EnvironmentRule& rule, const Box&
         for (int axis = 0; axis < 3; ++axis) {
             center[axis] = random.uniform(region.low[axis], region.high[axis]);
         }
-        const bool box = obstacle.shape.kind == Primitive::Kind::box;
-        const double radius = box ? norm(obstacle.shape.size) / 2 : obstacle.shape.radius;
+        const bool box = obstacle.shape.kind == Element::Kind::box;
+        const double radius = box ? norm(obstacle.shape.half) : obstacle.shape.radius;
         if (std::all_of(kept_free.begin(), kept_free.end(),
                         [&](const Box& free) { return distance_to(free, center) > radius; })) {
             result.push_back(obstacle);

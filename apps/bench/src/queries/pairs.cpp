@@ -15,7 +15,7 @@ CollisionModel collision_model(const TwoModels& models) {
     for (std::size_t b = 0; b < models.links.size(); ++b) {
         for (const EngineShape& shape : models.spheres.bodies[b]) {
             result.elements[models.links[b]].add(
-                Sphere{shape.pose.translation, std::get<Primitive>(shape.geometry).radius});
+                Sphere{shape.pose.translation, std::get<Element>(shape.geometry).radius});
         }
         result.sources[models.links[b]] = CollisionModel::Source::given;
     }
@@ -24,13 +24,11 @@ CollisionModel collision_model(const TwoModels& models) {
 
 } // namespace
 
-std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed,
-                                                       const std::atomic<bool>* cancel) {
+std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, std::uint64_t seed) {
     SelfCollisionOptions options;
     options.samples = 10000;
     options.seed = seed;
     options.proof_boxes = 0; // samples are enough to choose what to measure
-    options.cancel = cancel;
     const SelfCollisionMatrix matrix = self_collision_matrix(*models.kinematics, collision_model(models), options);
     std::map<std::size_t, std::uint32_t> body_of;
     for (std::size_t b = 0; b < models.links.size(); ++b) {
@@ -46,4 +44,4 @@ std::vector<std::array<std::uint32_t, 2>> tested_pairs(const TwoModels& models, 
     return result;
 }
 
-} // namespace foam::bench
+} // namespace foam::inline bench

@@ -6,22 +6,6 @@
 namespace foam::inline bench {
 namespace {
 
-// Records without padding that was never written: what is sent is the same every time.
-struct PrimitiveRecord {
-    std::int64_t kind;
-    Vec3 size;
-    double radius, length;
-};
-
-void put_primitive(std::string& out, const Primitive& p) {
-    put(out, PrimitiveRecord{static_cast<std::int64_t>(p.kind), p.size, p.radius, p.length});
-}
-
-Primitive take_primitive(ByteReader& in) {
-    const auto r = in.take<PrimitiveRecord>();
-    return {static_cast<Primitive::Kind>(r.kind), r.size, r.radius, r.length};
-}
-
 void put_robot(std::string& out, const EngineRobot& robot) {
     put(out, static_cast<std::uint64_t>(robot.bodies.size()));
     for (const EngineBody& body : robot.bodies) {
@@ -34,7 +18,7 @@ void put_robot(std::string& out, const EngineRobot& robot) {
                 put_mesh(out, **mesh);
                 put(out, static_cast<std::uint64_t>(shape.convex));
             } else {
-                put_primitive(out, std::get<Primitive>(shape.geometry));
+                put_element(out, std::get<Element>(shape.geometry));
             }
         }
     }
@@ -52,7 +36,7 @@ EngineRobot take_robot(ByteReader& in) {
                 shape.geometry = std::make_shared<const Mesh>(take_mesh(in));
                 shape.convex = in.take<std::uint64_t>() != 0;
             } else {
-                shape.geometry = take_primitive(in);
+                shape.geometry = take_element(in);
             }
         }
     }
@@ -73,7 +57,7 @@ std::string to_bytes(const EngineProblem& problem) {
         put(out, static_cast<std::uint64_t>(environment.size()));
         for (const Obstacle& obstacle : environment) {
             put(out, obstacle.pose);
-            put_primitive(out, obstacle.shape);
+            put_element(out, obstacle.shape);
         }
     }
     put(out, static_cast<std::uint64_t>(problem.queries.size()));
@@ -100,7 +84,7 @@ EngineProblem problem_from_bytes(std::string_view bytes) {
         for (auto obstacles = in.take<std::uint64_t>(); obstacles > 0 && in.good(); --obstacles) {
             Obstacle& obstacle = environment.emplace_back();
             obstacle.pose = in.take<Pose>();
-            obstacle.shape = take_primitive(in);
+            obstacle.shape = take_element(in);
         }
     }
     for (auto count = in.take<std::uint64_t>(); count > 0 && in.good(); --count) {

@@ -1,29 +1,31 @@
 // A robot twice, body by body: its collision geometry as the URDF gives it, and spheres.
 #pragma once
 
-#include <foam/bench/collision_engine.hpp>
+#include "engine.hpp"
+
+#include <foam/judge/evaluate.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/runtime/internal/workspace.hpp>
+#include <foam/sdk/model.hpp>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace foam::inline bench {
 
 struct TwoModels {
-    std::string input; ///< the candidate that was taken
     std::shared_ptr<const Kinematics> kinematics;
     std::vector<std::size_t> links; ///< of each body, its index in the robot's links
     EngineRobot original, spheres;  ///< the same pairs
-    bool certified = false;         ///< the spheres hold the original, proved
-    double excess = 0;              ///< of the spheres
     std::size_t ignored_pairs = 0;  ///< of all pairs of bodies
 };
 
-/// Runs the recipe's chain for the spheres, with its budget over the robot. Throws Error as run() does.
-TwoModels with_made_spheres(const Workspace& workspace);
-/// Takes the spheres of a file. Links that it has no spheres for are left out of both models.
-TwoModels with_given_spheres(const Workspace& workspace, const std::filesystem::path& spheres);
+/// Returns the elements of a file for the links of the robot; links without elements are left out. Throws Error as
+/// read_sphere_file() does.
+std::vector<LinkSpheres> matched_elements(const Original& original, const std::filesystem::path& file,
+                                          const Registry& registry);
 
-} // namespace foam::bench
+/// Returns both models. Links that there are no spheres for are left out of both. `seed`: of the samples that choose
+/// the pairs. Throws Error(usage) for other elements than spheres.
+TwoModels two_models(const Original& original, const std::vector<LinkSpheres>& spheres, std::uint64_t seed);
+
+} // namespace foam::inline bench

@@ -1,6 +1,6 @@
 // @stage@: leaves out spheres whose place the others fill better once they are grown to cover. A start: the method is to be yours.
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/sdk/plugin.hpp>
 
 namespace {

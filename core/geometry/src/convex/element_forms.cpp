@@ -1,8 +1,10 @@
+#include "convex/kind.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_forms.hpp>
-#include <foam/geometry/rotation.hpp>
-#include <foam/geometry/sphere.hpp>
 #include <foam/geometry/internal/single_precision.hpp>
+#include <foam/geometry/sphere.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -105,24 +107,10 @@ Element stated_at(Element element, const Pose& pose) {
     }
     // The Frobenius norm bounds how far a unit vector moves; the reader's rotation is orthonormal only to rounding.
     moved = rounded_up(rounded_up(std::sqrt(turned)) * reach_of(element) + moved);
-    switch (element.kind) {
-    case Element::Kind::sphere:
-    case Element::Kind::capsule:
-    case Element::Kind::swept_box:
-        element.radius = rounded_up(element.radius + moved);
-        break;
-    case Element::Kind::cylinder:
-        element.radius = rounded_up(element.radius + moved);
-        element.half.z = rounded_up(element.half.z + moved);
-        break;
-    case Element::Kind::box:
-        element.half = {rounded_up(element.half.x + moved), rounded_up(element.half.y + moved),
-                        rounded_up(element.half.z + moved)};
-        break;
-    case Element::Kind::hull:
+    if (element.kind == Element::Kind::hull) {
         throw Error(ErrorCode::internal, "stated_at: a hull has no sizes that could grow");
     }
-    return element;
+    return kind_of(element).grown(element, moved, [](double size, double more) { return rounded_up(size + more); });
 }
 
 std::vector<Element> capsule_parts(const Element& given) {
@@ -141,26 +129,6 @@ std::vector<Element> capsule_parts(const Element& given) {
         parts.push_back(ball);
     }
     return parts;
-}
-
-Element element_of(const Primitive& primitive, const Pose& pose) {
-    Element element{.pose = pose};
-    switch (primitive.kind) {
-    case Primitive::Kind::sphere:
-        element.radius = primitive.radius;
-        break;
-    case Primitive::Kind::box:
-        element.kind = Element::Kind::box;
-        element.half = primitive.size * 0.5;
-        break;
-    case Primitive::Kind::cylinder:
-    case Primitive::Kind::capsule:
-        element.kind = primitive.kind == Primitive::Kind::capsule ? Element::Kind::capsule : Element::Kind::cylinder;
-        element.radius = primitive.radius;
-        element.half.z = primitive.length / 2;
-        break;
-    }
-    return element;
 }
 
 Element enclosing_hull(const Element& element, int segments) {

@@ -1,7 +1,6 @@
 // Polyhedra that enclose primitives: a profile that circumscribes the round outline, turned about the axis with
 // polygons that circumscribe the circle.
-#include <foam/base/error.hpp>
-#include <foam/geometry/primitive.hpp>
+#include "convex/enclosing_mesh.hpp"
 
 #include <numbers>
 
@@ -14,17 +13,6 @@ using std::numbers::pi;
 struct ProfilePoint {
     double across, z;
 };
-
-Mesh box_mesh(const Vec3& size) {
-    Mesh mesh;
-    for (int corner = 0; corner < 8; ++corner) {
-        mesh.vertices.push_back({(corner & 1 ? 0.5 : -0.5) * size.x, (corner & 2 ? 0.5 : -0.5) * size.y,
-                                 (corner & 4 ? 0.5 : -0.5) * size.z});
-    }
-    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-    return mesh;
-}
 
 /// Returns the profile from bottom to top, turned about z and closed by flat discs. Every cross-section is a regular
 /// polygon around the circle of the primitive.
@@ -75,35 +63,23 @@ std::vector<ProfilePoint> capsule_profile(double radius, double half, int segmen
 
 } // namespace
 
-const char* to_string(Primitive::Kind kind) {
-    switch (kind) {
-    case Primitive::Kind::box:
-        return "box";
-    case Primitive::Kind::sphere:
-        return "sphere";
-    case Primitive::Kind::cylinder:
-        return "cylinder";
-    case Primitive::Kind::capsule:
-        return "capsule";
+Mesh box_mesh(const Vec3& half) {
+    Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner) {
+        mesh.vertices.push_back(
+            {corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y, corner & 4 ? half.z : -half.z});
     }
-    return "primitive";
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return mesh;
 }
 
-Mesh enclosing_mesh(const Primitive& primitive, int segments) {
-    if (segments < 3) {
-        throw Error(ErrorCode::usage, "enclosing_mesh needs at least 3 segments");
-    }
-    switch (primitive.kind) {
-    case Primitive::Kind::sphere:
-        return turned(capsule_profile(primitive.radius, 0, segments), segments);
-    case Primitive::Kind::capsule:
-        return turned(capsule_profile(primitive.radius, primitive.length / 2, segments), segments);
-    case Primitive::Kind::cylinder:
-        return turned({{primitive.radius, -primitive.length / 2}, {primitive.radius, primitive.length / 2}}, segments);
-    case Primitive::Kind::box:
-        break;
-    }
-    return box_mesh(primitive.size);
+Mesh capsule_mesh(double radius, double half, int segments) {
+    return turned(capsule_profile(radius, half, segments), segments);
 }
 
-} // namespace foam::geometry
+Mesh cylinder_mesh(double radius, double half, int segments) {
+    return turned({{radius, -half}, {radius, half}}, segments);
+}
+
+} // namespace foam::inline geometry

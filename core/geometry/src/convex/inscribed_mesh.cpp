@@ -1,3 +1,5 @@
+#include "convex/kind.hpp"
+
 #include <foam/geometry/inscribed_mesh.hpp>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ Mesh split_in_four(const Mesh& mesh) {
 
 Mesh inscribed_mesh(const Element& element, int segments) {
     Mesh mesh = enclosing_mesh(element, segments);
-    if (element.kind == Element::Kind::box || element.kind == Element::Kind::hull) {
+    if (kind_of(element).has_flat_faces()) {
         return mesh;
     }
     const Vec3 middle = element.pose.translation;

@@ -29,6 +29,23 @@ template <class Convert> Mesh converted(Mesh mesh, const Convert& convert) {
     return mesh;
 }
 
+/// Returns the element with its lengths multiplied by a power of two: exact.
+Element scaled(Element element, double factor) {
+    element.half *= factor;
+    element.radius *= factor;
+    if (element.hull && factor != 1) {
+        auto hull = std::make_shared<Polytope>(*element.hull);
+        for (Vec3& vertex : hull->surface.vertices) {
+            vertex *= factor;
+        }
+        for (Polytope::Face& face : hull->faces) {
+            face.offset *= factor;
+        }
+        element.hull = std::move(hull);
+    }
+    return element;
+}
+
 } // namespace
 
 double size_of(const Box& box) {
@@ -109,9 +126,7 @@ std::shared_ptr<const Solid> OwnFrame::to_own(const Solid& solid) const {
     for (Solid::Part& part : parts) {
         if (part.primitive) {
             part.pose.translation = to_own(part.pose.translation);
-            part.primitive->size *= scale();
-            part.primitive->radius *= scale();
-            part.primitive->length *= scale();
+            *part.primitive = scaled(*part.primitive, scale());
         } else {
             part.mesh = std::make_shared<const Mesh>(to_own(*part.mesh));
         }
@@ -132,21 +147,8 @@ std::vector<Sphere> OwnFrame::from_own(std::vector<Sphere> spheres) const {
 }
 
 Element OwnFrame::from_own(Element element) const {
-    const double length = std::ldexp(1.0, -exponent); // a power of two: exact
     element.pose.translation = from_own(element.pose.translation);
-    element.half *= length;
-    element.radius *= length;
-    if (element.hull && exponent != 0) {
-        auto hull = std::make_shared<Polytope>(*element.hull);
-        for (Vec3& vertex : hull->surface.vertices) {
-            vertex *= length;
-        }
-        for (Polytope::Face& face : hull->faces) {
-            face.offset *= length;
-        }
-        element.hull = std::move(hull);
-    }
-    return element;
+    return scaled(std::move(element), std::ldexp(1.0, -exponent));
 }
 
 Approximation OwnFrame::from_own(Approximation tree) const {

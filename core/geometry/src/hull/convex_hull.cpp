@@ -1,5 +1,4 @@
 // The convex hull as a polytope: triangles of one plane become one face, and the offsets of faces contain all points.
-#include <foam/geometry/internal/farthest.hpp>
 #include <foam/geometry/internal/quickhull.hpp>
 
 #include <foam/base/cancellation.hpp>

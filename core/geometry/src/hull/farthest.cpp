@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/farthest.hpp>
+#include <foam/geometry/internal/quickhull.hpp>
 
 #include <algorithm>
 #include <array>

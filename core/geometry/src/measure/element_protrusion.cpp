@@ -1,7 +1,7 @@
 // Coverage and protrusion of convex elements.
-#include "measure/element_parts.hpp"
 #include "convex/element_surface.hpp"
-#include "measure/exposed_sums.hpp"
+#include "measure/element_set.hpp"
+#include "measure/exposure.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>

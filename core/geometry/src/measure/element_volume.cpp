@@ -1,10 +1,10 @@
 // Volumes of unions of convex elements, alone and with a solid.
-#include "measure/element_parts.hpp"
+#include "measure/element_set.hpp"
 #include "solid/inside_lines.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <limits>

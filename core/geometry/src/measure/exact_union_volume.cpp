@@ -3,8 +3,8 @@
 // degenerate arrangements are safe (cf. Buša et al. 2005, "ARVO: a Fortran package for computing the solvent accessible
 // surface area and the excluded volume of overlapping spheres via analytic equations").
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/union_parts.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <array>

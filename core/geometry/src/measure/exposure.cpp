@@ -1,7 +1,7 @@
 #include "measure/exposure.hpp"
 
-#include <foam/geometry/directions.hpp>
-#include <foam/geometry/internal/overlap.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <numbers>
 
@@ -55,4 +55,24 @@ double GrowthCost::of(std::span<const Sphere> balls, std::size_t i, double radiu
     return (radius - from) * (little ? area_before : (area_before + area(balls, i, radius, after_[i])) / 2);
 }
 
-} // namespace foam::geometry
+bool overlapping(std::span<const Sphere> balls, std::size_t i, std::vector<Sphere>& near) {
+    near.clear();
+    const Sphere& ball = balls[i];
+    for (std::size_t j = 0; j < balls.size(); ++j) {
+        const Sphere& other = balls[j];
+        const double d = distance(ball.center, other.center);
+        if (j == i || d >= ball.radius + other.radius || d + other.radius <= ball.radius) {
+            if (j < i && other == ball) {
+                return false;
+            }
+            continue; // apart, or inside this one: cuts nothing from its surface
+        }
+        if (d + ball.radius <= other.radius) {
+            return false;
+        }
+        near.push_back(other);
+    }
+    return true;
+}
+
+} // namespace foam::inline geometry

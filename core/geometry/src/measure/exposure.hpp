@@ -1,6 +1,7 @@
-// The excess volume of growing a ball: the volume it adds outside the solid and outside the other balls.
+// What of spheres lies on the surface of their union.
 #pragma once
 
+#include <foam/geometry/internal/measure_parts.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 
@@ -43,4 +44,12 @@ private:
     std::vector<Known> before_, after_;
 };
 
-} // namespace foam::geometry
+struct ExposedSums {
+    double area = 0;     ///< m²
+    double weighted = 0; ///< distance to the solid times area, m³
+    double farthest = 0; ///< m
+};
+
+Protrusion protrusion_of(std::span<const ExposedSums> parts);
+
+} // namespace foam::inline geometry

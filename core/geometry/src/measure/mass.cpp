@@ -1,5 +1,6 @@
-#include <foam/geometry/mass.hpp>
+#include <foam/geometry/volumes.hpp>
 
+#include "convex/kind.hpp"
 #include "mesh/line_grid.hpp"
 
 #include <foam/base/cancellation.hpp>
@@ -40,31 +41,11 @@ Moments of_tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
     return moments;
 }
 
-/// Returns the integrals of the squared coordinates of a primitive in its own frame; its volume in `volume`.
-Vec3 squares_of(const Primitive& p, double& volume) {
-    const double r = p.radius, h = p.length, disc = std::numbers::pi * r * r, ball = disc * r * 4 / 3;
-    switch (p.kind) {
-    case Primitive::Kind::box:
-        volume = p.size.x * p.size.y * p.size.z;
-        return Vec3{p.size.x * p.size.x, p.size.y * p.size.y, p.size.z * p.size.z} * (volume / 12);
-    case Primitive::Kind::sphere:
-        volume = ball;
-        return Vec3{1, 1, 1} * (ball * r * r / 5);
-    case Primitive::Kind::cylinder:
-        volume = disc * h;
-        return {volume * r * r / 4, volume * r * r / 4, volume * h * h / 12};
-    case Primitive::Kind::capsule:
-        break;
-    }
-    volume = disc * h + ball;
-    const double across = disc * h * r * r / 4 + ball * r * r / 5;
-    return {across, across, disc * h * h * h / 12 + ball * (h * h / 4 + 3 * h * r / 8 + r * r / 5)};
-}
-
 /// Returns the moments of a primitive about `reference`.
-Moments of_primitive(const Primitive& primitive, const Pose& pose, const Vec3& reference) {
+Moments of_primitive(const Element& primitive, const Pose& pose, const Vec3& reference) {
     Moments moments;
-    const Vec3 squares = squares_of(primitive, moments.volume);
+    moments.volume = volume(primitive);
+    const Vec3 squares = kind_of(primitive).second_moments(primitive);
     const Vec3 center = pose.translation - reference;
     moments.first = center * moments.volume;
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -1,7 +1,9 @@
-#include "measure/element_parts.hpp"
-
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+
+#include "measure/element_set.hpp"
+
+#include <foam/geometry/internal/solids.hpp>
+#include <foam/geometry/objective.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +137,37 @@ Measures total(std::span<const Measures> links) {
         sum.missing = std::numeric_limits<double>::quiet_NaN(); // not measured of some link
     }
     return sum;
+}
+
+std::vector<NamedFigure> named_figures(const Measures& m) {
+    return {{"spheres", m.spheres},
+            {"certified", m.certified},
+            {"gap_m", m.gap},
+            {"covered", m.covered},
+            {"excess", m.excess},
+            {"excess_standard_error", m.excess_error},
+            {"excess_volume_m3", m.excess_volume},
+            {"excess_volume_standard_error_m3", m.excess_volume_error},
+            {"missing", m.missing},
+            {"missing_standard_error", m.missing_error},
+            {"missing_volume_m3", m.missing_volume},
+            {"missing_volume_standard_error_m3", m.missing_volume_error},
+            {"protrusion_max_m", m.protrusion_max},
+            {"protrusion_mean_m", m.protrusion_mean},
+            {"exposed_area_m2", m.exposed_area},
+            {"volume_m3", m.volume},
+            {"area_m2", m.area}};
+}
+
+std::optional<Objective> objective_named(std::string_view name) {
+    static constexpr std::pair<std::string_view, Objective> objectives[] = {
+        {"excess", Objective::excess},
+        {"protrusion", Objective::protrusion},
+        {"radius", Objective::radius},
+        {"mean_protrusion", Objective::mean_protrusion}};
+    const auto it = std::find_if(std::begin(objectives), std::end(objectives),
+                                 [&](const auto& objective) { return objective.first == name; });
+    return it == std::end(objectives) ? std::nullopt : std::optional(it->second);
 }
 
 } // namespace foam::inline geometry

@@ -1,11 +1,10 @@
 // Coverage and protrusion.
-#include "measure/exposed_sums.hpp"
+#include "measure/exposure.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/directions.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
-#include <foam/geometry/internal/overlap.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <numbers>
 

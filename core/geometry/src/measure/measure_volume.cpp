@@ -1,11 +1,11 @@
 // vol(U \ S) and vol(S \ U).
-#include "measure/element_parts.hpp"
+#include "measure/element_set.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <array>
 

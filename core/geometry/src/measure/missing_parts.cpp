@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/missing_parts.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
 
 #include "solid/inside_lines.hpp"
 

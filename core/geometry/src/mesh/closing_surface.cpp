@@ -1,4 +1,4 @@
-#include "mesh/closing_surface.hpp"
+#include "mesh/orientation.hpp"
 
 #include <foam/base/cancellation.hpp>
 

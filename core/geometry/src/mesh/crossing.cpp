@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/crossing.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <numeric>
 

@@ -2,7 +2,7 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <atomic>
 

@@ -1,7 +1,7 @@
 // Intersections of a line with triangles: watertight (Woop, Benthin, Wald 2013) and consistent at edges and vertices.
 #pragma once
 
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #include <foam/base/error.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/mesh.hpp>
 
 #include <fmt/format.h>

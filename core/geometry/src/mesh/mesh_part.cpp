@@ -1,6 +1,6 @@
 #include "mesh/mesh_part.hpp"
 
-#include "mesh/closing_surface.hpp"
+#include "mesh/orientation.hpp"
 
 #include <foam/base/cancellation.hpp>
 

@@ -6,7 +6,7 @@
 #include "mesh/orientation.hpp"
 
 #include <foam/geometry/internal/bvh.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/solid.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "solid/part_index.hpp"
 
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <span>
 

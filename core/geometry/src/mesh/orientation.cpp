@@ -1,9 +1,8 @@
 #include "mesh/orientation.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
-#include <foam/geometry/internal/triangle.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/triangles.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <numeric>
 

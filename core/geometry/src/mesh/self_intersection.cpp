@@ -1,8 +1,8 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/internal/bvh.hpp>
-#include <foam/geometry/internal/crossing.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/internal/triangles.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 namespace foam::inline geometry {
 namespace {

@@ -93,7 +93,7 @@ SurfaceRuns::SurfaceRuns(const SolidData& data)
     }
     std::vector<char> curved;
     for (std::size_t i = 0; i < data.parts.size(); ++i) {
-        if (data.parts[i].primitive && data.parts[i].primitive->kind != Primitive::Kind::box) {
+        if (data.parts[i].primitive && kind_of(*data.parts[i].primitive).has_known_surface()) {
             curved.resize(order_.size(), 0);
             std::fill(curved.begin() + data.offsets[i], curved.begin() + data.offsets[i + 1], 1);
         }

@@ -1,5 +1,5 @@
-#include <foam/geometry/edges.hpp>
-#include <foam/geometry/internal/welding.hpp>
+#include <foam/geometry/internal/triangles.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <fmt/format.h>
 

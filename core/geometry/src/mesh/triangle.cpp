@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <numbers>
 

@@ -1,7 +1,8 @@
 #include "proof/bodies.hpp"
 
-#include "proof/element_grown.hpp"
+#include "convex/kind.hpp"
 #include "convex/outside_box.hpp"
+#include "convex/polytope.hpp"
 #include <foam/geometry/internal/quickhull.hpp>
 
 #include <foam/base/cancellation.hpp>
@@ -89,11 +90,11 @@ void Bodies::add(const Element& element, const Vec3& origin, double extent, doub
     if (!is_valid(element)) {
         return;
     }
-    body.kind = element.kind;
     const std::array<Vec3, 3>& r = element.pose.rotation;
     body.rows = {column(r, 0), column(r, 1), column(r, 2)};
     body.half = element.half;
     body.radius = element.radius;
+    body.form = form_of(element);
     if (element.kind == Element::Kind::hull) {
         set_hull(body, element);
     }
@@ -113,6 +114,23 @@ void Bodies::add(const Element& element, const Vec3& origin, double extent, doub
         body.bounds.add(box.low - origin - room);
         body.bounds.add(box.high - origin + room);
     }
+}
+
+Bodies::Form Bodies::form_of(const Element& element) {
+    switch (element.kind) {
+    case Element::Kind::sphere:
+    case Element::Kind::capsule:
+    case Element::Kind::box:
+    case Element::Kind::swept_box:
+        return Form::round_box;
+    case Element::Kind::cylinder:
+        return Form::cylinder;
+    case Element::Kind::hull:
+        return Form::polytope;
+    case Element::Kind::ellipsoid:
+        break;
+    }
+    return Form::other;
 }
 
 /// Returns the largest distance of a point of the body from its middle.
@@ -196,7 +214,7 @@ void Bodies::erode(Body& body, const Element& element) {
     const auto to_surface = [&](const Vec3& normal) { // of the body's frame
         return body.rows[0] * normal.x + body.rows[1] * normal.y + body.rows[2] * normal.z;
     };
-    if (element.kind == Element::Kind::hull) {
+    if (body.form == Form::polytope) {
         for (Polytope::Face& face : body.faces) {
             face.offset -= s;
             body.sound = body.sound && face.offset > 0;
@@ -205,10 +223,15 @@ void Bodies::erode(Body& body, const Element& element) {
         set_blocks(body);
         return;
     }
-    if (element.kind == Element::Kind::cylinder) {
+    if (body.form == Form::cylinder) {
         body.half.z -= s;
         body.radius -= s;
         body.sound = body.half.z > 0 && body.radius >= smallest_radius;
+        return;
+    }
+    if (body.form == Form::other) {
+        body.rest = element;
+        body.sound = kind_of(element).erode(body.rest, s);
         return;
     }
     if (body.radius - s >= smallest_radius) {
@@ -258,15 +281,17 @@ bool Bodies::below_faces(const Body& body, const Vec3& q, double room) {
 
 bool Bodies::holds(const Body& body, const Vec3& p, double ball) {
     const Vec3 q = local(body, p);
-    switch (body.kind) {
-    case Element::Kind::hull:
+    switch (body.form) {
+    case Form::polytope:
         return below_faces(body, q, ball);
-    case Element::Kind::cylinder: {
+    case Form::other:
+        return kind_of(body.rest).holds_ball(body.rest, q, ball);
+    case Form::cylinder: {
         const double radius = body.radius - ball;
         return std::abs(q.z) + ball <= body.half.z && radius >= smallest_radius &&
                q.x * q.x + q.y * q.y <= radius * radius;
     }
-    default:
+    case Form::round_box:
         break;
     }
     const double radius = body.radius - ball;
@@ -292,10 +317,13 @@ double Bodies::depth(std::uint32_t i, const Vec3& p) const {
         return unreachable;
     }
     const Vec3 q = local(body, p);
-    if (body.kind == Element::Kind::hull) {
+    if (body.form == Form::polytope) {
         return plane_distance(body.faces, q);
     }
-    if (body.kind == Element::Kind::cylinder) {
+    if (body.form == Form::other) {
+        return kind_of(body.rest).signed_distance(body.rest, q);
+    }
+    if (body.form == Form::cylinder) {
         const double across = std::hypot(q.x, q.y) - body.radius, along = std::abs(q.z) - body.half.z;
         return std::max(across, along) <= 0 ? std::max(across, along)
                                             : std::hypot(std::max(across, 0.0), std::max(along, 0.0));

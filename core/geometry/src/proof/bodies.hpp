@@ -69,8 +69,10 @@ public:
     std::span<const Polytope::Face> planes(std::uint32_t i) const { return bodies_[i].planes; }
 
 private:
+    /// What a body is to the functions for points, which are quick for the first three.
+    enum class Form { round_box, cylinder, polytope, other };
     struct Body {
-        Element::Kind kind = Element::Kind::sphere;
+        Form form = Form::round_box;
         bool sound = false;
         std::array<Vec3, 3> rows; ///< of the rotation to the body's frame
         Vec3 center;
@@ -83,10 +85,12 @@ private:
         std::vector<Polytope::Face> planes; ///< the same, and those of a box, turned to the surface's frame
         std::shared_ptr<const Polytope> hull;
         std::vector<std::uint32_t> face_of; ///< hull: the face that each triangle belongs to
-        Vec3 middle;                          ///< hull: origin of the body's frame in that of the hull
+        Vec3 middle;                        ///< hull: origin of the body's frame in that of the hull
+        Element rest;                       ///< other forms: the element, eroded
     };
 
     void add(const Element& element, const Vec3& origin, double extent, double unit, double placement);
+    static Form form_of(const Element& element);
     static double reach_of(const Body& body);
     static void set_hull(Body& body, const Element& element);
     static void lower_faces(Body& body);

@@ -1,5 +1,7 @@
 #include "proof/cover.hpp"
 
+#include "convex/kind.hpp"
+
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
@@ -162,45 +164,60 @@ void Balls::find_round_parts(const Solid& solid) {
     for (std::size_t i = 0; i < solid.parts().size(); ++i) {
         asking.check();
         const Solid::Part& part = solid.parts()[i];
-        if (!part.primitive || part.primitive->kind == Primitive::Kind::box) {
+        if (!part.primitive || !kind_of(*part.primitive).has_known_surface()) {
             continue;
         }
         find_beneath(solid, i);
-        if (part.primitive->kind == Primitive::Kind::cylinder) {
+        if (part.primitive->kind != Element::Kind::sphere && part.primitive->kind != Element::Kind::capsule) {
             continue;
         }
-        const double half = part.primitive->kind == Primitive::Kind::capsule ? part.primitive->length / 2 : 0;
+        const double half = part.primitive->half.z;
         const Vec3 center = part.pose.translation, along = part.pose.rotate({0, 0, half});
         round_parts_.push_back({solid.part_offsets()[i], solid.part_offsets()[i + 1], center - origin_ - along,
                                 center - origin_ + along, center, part.primitive->radius});
     }
 }
 
+/// Returns how far a ball about the origin lies straight below a point, against a unit normal; 0 if the point is in it.
+static double depth_of_ball(const Vec3& point, const Vec3& normal, double radius) {
+    const double height = dot(point, normal), squared_aside = squared_norm(point) - height * height;
+    return std::max(0.0, height - std::sqrt(std::max(0.0, radius * radius - squared_aside)));
+}
+
 /// Computes the surface beneath the polyhedron. Every point of the true surface lies straight below some point of a
 /// facet, since each facet touches the ball, or the cylinder's side, in one point. Its depth is a convex function over
 /// the facet (the primitive is convex), so it is nowhere greater than the interpolated depths below the corners. Below
 /// a corner the depth is measured to the ball about the nearest point of the axis, which is in the primitive and so no
-/// higher than its surface. The flat ends of a cylinder lie in those of the polyhedron.
+/// higher than its surface. The flat ends of a cylinder lie in those of the polyhedron. An ellipsoid and its polyhedron
+/// are the image of a ball with its own; the depth is measured there, and "below" is the image of that direction.
 void Balls::find_beneath(const Solid& solid, std::size_t index) {
     const Solid::Part& part = solid.parts()[index];
-    const double radius = part.primitive->radius;
-    const bool cylinder = part.primitive->kind == Primitive::Kind::cylinder;
-    const double half = part.primitive->kind == Primitive::Kind::sphere ? 0 : part.primitive->length / 2;
+    const Element& primitive = *part.primitive;
+    const bool cylinder = primitive.kind == Element::Kind::cylinder,
+               ellipsoid = primitive.kind == Element::Kind::ellipsoid;
+    const Vec3 scale = ellipsoid ? primitive.half : Vec3{1, 1, 1};
+    const double radius = ellipsoid ? 1 : primitive.radius, half = ellipsoid ? 0 : primitive.half.z;
     const Vec3 center = part.pose.translation - origin_, along = part.pose.rotate({0, 0, 1});
+    const auto to_ball = [&](const Vec3& v) {
+        const Vec3 q = part.pose.inverse().rotate(v);
+        return Vec3{q.x / scale.x, q.y / scale.y, q.z / scale.z};
+    };
     beneath_.resize(triangles_->size());
     curved_.resize(triangles_->size(), 0);
     for (std::uint32_t i = solid.part_offsets()[index]; i < solid.part_offsets()[index + 1]; ++i) {
         const Corners t = piece(i).corners;
-        const Vec3 normal = normalized(cross(t.b - t.a, t.c - t.a));
+        const Vec3 ab = t.b - t.a, ac = t.c - t.a;
+        const Vec3 normal = ellipsoid ? normalized(cross(to_ball(ab), to_ball(ac))) : normalized(cross(ab, ac));
         if (cylinder && std::abs(dot(normal, along)) > 0.5) {
             continue;
         }
         const auto below = [&](const Vec3& corner) {
+            if (ellipsoid) {
+                const Vec3 down = normal * depth_of_ball(to_ball(corner - center), normal, radius);
+                return corner - part.pose.rotate({down.x * scale.x, down.y * scale.y, down.z * scale.z});
+            }
             const Vec3 axis = center + std::clamp(dot(corner - center, along), -half, half) * along;
-            const Vec3 v = corner - axis;
-            const double height = dot(v, normal), squared_aside = squared_norm(v) - height * height;
-            const double depth = height - std::sqrt(std::max(0.0, radius * radius - squared_aside));
-            return corner - std::max(0.0, depth) * normal;
+            return corner - depth_of_ball(corner - axis, normal, radius) * normal;
         };
         curved_[i] = 1;
         beneath_[i] = {below(t.a), below(t.b), below(t.c)};

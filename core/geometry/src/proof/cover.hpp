@@ -3,7 +3,7 @@
 
 #include <foam/geometry/internal/bvh.hpp>
 #include <foam/geometry/internal/surface_runs.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 

@@ -1,6 +1,5 @@
 // Growth of elements until they cover a surface.
-#include "proof/element_growth.hpp"
-
+#include "convex/kind.hpp"
 #include "proof/body_cuts.hpp"
 #include "proof/element_proof.hpp"
 

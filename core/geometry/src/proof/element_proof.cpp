@@ -170,25 +170,31 @@ bool contains_by_lengths(const Element& element, const Solid::Part& part) {
     if (!is_valid(element) || !part.primitive || !(element.pose == part.pose)) {
         return false;
     }
-    const Primitive& p = *part.primitive;
-    switch (p.kind) {
-    case Primitive::Kind::sphere:
-        return element.kind != Element::Kind::hull &&
-               (element.kind == Element::Kind::cylinder
-                    ? element.half.z >= p.radius && element.radius >= p.radius
-                    : element.radius >= p.radius ||
-                          std::min({element.half.x, element.half.y, element.half.z}) >= p.radius);
-    case Primitive::Kind::capsule:
-        return (element.kind == Element::Kind::capsule || element.kind == Element::Kind::swept_box) &&
-               element.radius >= p.radius && 2 * element.half.z >= p.length;
-    case Primitive::Kind::cylinder:
-        return (element.kind == Element::Kind::cylinder || element.kind == Element::Kind::capsule) &&
-               element.radius >= p.radius && 2 * element.half.z >= p.length;
-    case Primitive::Kind::box:
+    const Element& inner = *part.primitive;
+    const bool wider = element.radius >= inner.radius, longer = element.half.z >= inner.half.z,
+               larger = longer && element.half.x >= inner.half.x && element.half.y >= inner.half.y;
+    using Kind = Element::Kind;
+    if (element.kind == inner.kind) {
+        return inner.kind != Kind::hull && wider && larger;
+    }
+    switch (inner.kind) {
+    case Kind::sphere:
+        return element.kind != Kind::hull &&
+               (element.kind == Kind::cylinder
+                    ? element.half.z >= inner.radius && wider
+                    : wider || std::min({element.half.x, element.half.y, element.half.z}) >= inner.radius);
+    case Kind::capsule:
+        return element.kind == Kind::swept_box && wider && longer;
+    case Kind::cylinder:
+        return element.kind == Kind::capsule && wider && longer;
+    case Kind::box:
+        return element.kind == Kind::swept_box && larger;
+    case Kind::swept_box:
+    case Kind::hull:
+    case Kind::ellipsoid:
         break;
     }
-    return (element.kind == Element::Kind::box || element.kind == Element::Kind::swept_box) &&
-           2 * element.half.x >= p.size.x && 2 * element.half.y >= p.size.y && 2 * element.half.z >= p.size.z;
+    return false;
 }
 
 OpenTriangles::OpenTriangles(const Solid& solid, const Elements& elements, const Balls& pieces,

@@ -1,13 +1,13 @@
 // Proof that balls lie in a solid, and shrinking of spheres until it succeeds.
 #include "mesh/orientation.hpp"
-#include "convex/primitive.hpp"
+#include "convex/kind.hpp"
 #include "proof/rim.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/bvh.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <memory>
 #include <optional>

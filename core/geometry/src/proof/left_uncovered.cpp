@@ -1,9 +1,9 @@
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
 
 #include "proof/element_proof.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/solid.hpp>
 

@@ -1,7 +1,7 @@
 // The rim of an open surface and a bound on the winding number near it.
 #pragma once
 
-#include <foam/geometry/internal/triangle.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <vector>
 

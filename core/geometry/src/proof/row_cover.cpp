@@ -7,12 +7,12 @@ namespace {
 
 /// Returns the distance of the farthest vertex of the surface from the primitive's axis, or from the segment within a
 /// capsule.
-double outermost(const Solid& solid, const Primitive& primitive, const Pose& to_local) {
+double outermost(const Solid& solid, const Element& primitive, const Pose& to_local) {
     double farthest = 0;
     for (const Vec3& vertex : solid.surface().vertices) {
         const Vec3 p = to_local * vertex;
-        const double half = primitive.length / 2;
-        const double along = primitive.kind == Primitive::Kind::capsule ? p.z - std::clamp(p.z, -half, half) : 0;
+        const double half = primitive.half.z;
+        const double along = primitive.kind == Element::Kind::capsule ? p.z - std::clamp(p.z, -half, half) : 0;
         farthest = std::max(farthest, std::hypot(p.x, p.y, along));
     }
     return farthest;
@@ -50,15 +50,15 @@ std::optional<std::vector<Sphere>> row_cover(const Solid& solid, std::size_t mos
     if (solid.parts().size() > 1 || !part.primitive || most == 0) {
         return {};
     }
-    const Primitive& primitive = *part.primitive;
-    const bool capsule = primitive.kind == Primitive::Kind::capsule;
-    if (!capsule && primitive.kind != Primitive::Kind::cylinder) {
+    const Element& primitive = *part.primitive;
+    const bool capsule = primitive.kind == Element::Kind::capsule;
+    if (!capsule && primitive.kind != Element::Kind::cylinder) {
         return {};
     }
     // Proofs then need not subdivide finely where balls meet.
     constexpr double aside = 1 + 1e-4;
     const double radius = outermost(solid, primitive, part.pose.inverse()) * aside;
-    const double length = primitive.length * aside;
+    const double length = 2 * primitive.half.z * aside;
     BallRow best;
     for (std::size_t count = 1; count <= most; ++count) {
         const BallRow row =

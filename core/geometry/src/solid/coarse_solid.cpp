@@ -1,4 +1,4 @@
-#include <foam/geometry/internal/coarse_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include "solid/solid_data.hpp"
 

@@ -20,8 +20,10 @@ void add_to(Hasher& hasher, const Mesh& mesh) {
     hasher.bytes(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
 }
 
-void add_to(Hasher& hasher, const Primitive& primitive) {
-    hasher.add(to_string(primitive.kind)).add(primitive.size).add(primitive.radius).add(primitive.length);
+void add_primitive(Hasher& hasher, const Element& primitive) {
+    const bool has_size = primitive.kind == Element::Kind::box || primitive.kind == Element::Kind::ellipsoid;
+    const Vec3 size = has_size ? primitive.half * 2 : Vec3{}; // in the form of epochs before, whose seeds stay
+    hasher.add(to_string(primitive.kind)).add(size).add(primitive.radius).add(has_size ? 0 : 2 * primitive.half.z);
 }
 
 void add_to(Hasher& hasher, const Element& element) {

@@ -3,7 +3,7 @@
 
 #include "solid/intervals.hpp"
 
-#include <foam/geometry/internal/estimate.hpp>
+#include <foam/geometry/internal/measure_parts.hpp>
 
 namespace foam::inline geometry {
 

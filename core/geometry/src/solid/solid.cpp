@@ -3,9 +3,11 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
-#include <foam/base/internal/scheduler.hpp>
+#include <foam/base/internal/activity.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -64,13 +66,34 @@ int segments_of(const std::vector<Solid::Part>& parts) {
     return count <= many ? 48 : count <= very_many ? 8 : 4;
 }
 
+/// Throws Error(geometry) unless all lengths that its kind uses are finite and above zero.
+void check_primitive(const Element& primitive) {
+    const auto check = [](std::string_view name, double value, bool zero_allowed = false) {
+        if (!std::isfinite(value) || value < 0 || (value == 0 && !zero_allowed)) {
+            throw Error(ErrorCode::geometry,
+                        fmt::format("a collision primitive has a {} that is not a finite length above zero; correct it "
+                                    "in the robot file",
+                                    name == "size" ? "box size" : name));
+        }
+    };
+    for (const std::string_view name : number_names(primitive.kind)) {
+        if (name == "radius") {
+            check(name, primitive.radius);
+        } else if (name == "length") {
+            check(name, primitive.half.z, primitive.kind == Element::Kind::capsule);
+        } else if (name != "vertices") {
+            check(name, std::min({primitive.half.x, primitive.half.y, primitive.half.z}));
+        }
+    }
+}
+
 /// Returns the part as a mesh in the solid's frame, with its reading; `quick`: without, it is made on first use.
 std::pair<std::shared_ptr<const Mesh>, std::optional<geometry::Reading>> part_mesh(const Solid::Part& part,
                                                                                    std::size_t index, int segments,
                                                                                    bool quick) {
     if (part.primitive) {
-        geometry::check_primitive(*part.primitive);
-        Mesh mesh = transformed(enclosing_mesh(*part.primitive, segments), part.pose);
+        check_primitive(*part.primitive);
+        Mesh mesh = enclosing_mesh(moved(*part.primitive, part.pose), segments);
         check_mesh(mesh, index);
         geometry::Reading reading{std::vector(mesh.triangles.size(), geometry::Facing::as_given), true};
         return {std::make_shared<const Mesh>(std::move(mesh)), std::move(reading)};
@@ -124,6 +147,10 @@ private:
 
 void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t index, int segments) {
     Solid::Part& part = data.parts[index];
+    if (part.primitive) {
+        part.pose = part.pose * part.primitive->pose;
+        part.primitive->pose = {};
+    }
     auto [given, reading] = part_mesh(part, index, segments, data.quick);
     if (!part.primitive) {
         part.mesh = given;

@@ -4,7 +4,7 @@
 #include "solid/inside_lines.hpp"
 #include "mesh/mesh_part.hpp"
 #include "solid/part_index.hpp"
-#include "convex/primitive.hpp"
+#include "convex/kind.hpp"
 
 #include <foam/geometry/internal/surface_runs.hpp>
 #include <foam/geometry/solid.hpp>

@@ -2,8 +2,6 @@
 #include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/judge/collision_model.hpp>
-#include <foam/judge/ignored_pairs.hpp>
-#include <foam/judge/poses.hpp>
 #include <foam/yaml/value.hpp>
 
 #include <fmt/format.h>

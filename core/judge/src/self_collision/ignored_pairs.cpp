@@ -1,6 +1,6 @@
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
-#include <foam/judge/ignored_pairs.hpp>
+#include <foam/judge/collision_model.hpp>
 #include <foam/xml/document.hpp>
 #include <foam/yaml/value.hpp>
 

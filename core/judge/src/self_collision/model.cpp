@@ -18,8 +18,8 @@ namespace {
 /// Takes the spheres of a link without other geometry. Returns false if it has other geometry.
 bool take_spheres(const Link& link, Elements& elements) {
     for (const GeometryElement& element : link.collisions) {
-        const auto* primitive = std::get_if<Primitive>(&element.geometry);
-        if (!primitive || primitive->kind != Primitive::Kind::sphere) {
+        const auto* primitive = std::get_if<Element>(&element.geometry);
+        if (!primitive || primitive->kind != Element::Kind::sphere) {
             elements = {};
             return false;
         }

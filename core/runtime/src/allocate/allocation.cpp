@@ -1,6 +1,8 @@
 #include "allocate/allocation.hpp"
 
 #include <foam/base/internal/ladder.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -130,6 +132,57 @@ std::vector<std::size_t> counts_alone(std::size_t least, std::size_t most) {
         counts.push_back(most);
     }
     return counts;
+}
+
+std::optional<Objective> objective_of(const StageCall& spherizer, const Registry& registry) {
+    const RegisteredStage* stage = registry.find(spherizer.stage);
+    if (!stage || stage->info.objective_parameter.empty()) {
+        return Objective::excess;
+    }
+    const auto objective =
+        objective_named(Parameters(stage->info.parameters, spherizer.given).text(stage->info.objective_parameter));
+    return objective == Objective::mean_protrusion ? std::nullopt : objective; // no figure here compares that
+}
+
+double figure_of(const Solid& solid, const std::vector<Sphere>& spheres, Objective objective) {
+    switch (objective) {
+    case Objective::excess:
+        return cost_volume(solid, spheres, Guarantee::outer);
+    case Objective::protrusion:
+        return covered_protrusion(solid, spheres, Guarantee::outer);
+    case Objective::radius:
+    case Objective::mean_protrusion: // objective_of() gives none
+        break;
+    }
+    double largest = 0;
+    for (const Sphere& sphere : grown_to_cover(solid, spheres)) {
+        largest = std::max(largest, sphere.radius);
+    }
+    return largest;
+}
+
+double figure_of(const Solid& solid, const Elements& elements, Objective objective) {
+    if (elements.are_spheres()) {
+        return figure_of(solid, elements.spheres(), objective);
+    }
+    switch (objective) {
+    case Objective::excess:
+        return cost_of_elements(solid, elements, Guarantee::outer);
+    case Objective::protrusion:
+        return protrusion_of_elements(solid, elements, Guarantee::outer);
+    case Objective::radius:
+    case Objective::mean_protrusion: // objective_of() gives none
+        break;
+    }
+    const Elements grown = grown_to_cover(solid, elements);
+    double largest = 0;
+    for (const Sphere& sphere : grown.spheres()) {
+        largest = std::max(largest, sphere.radius);
+    }
+    for (const Element& element : grown.shaped()) {
+        largest = std::max(largest, minimum_enclosing_sphere(enclosing_mesh(element).vertices).radius);
+    }
+    return largest;
 }
 
 } // namespace foam::inline runtime

@@ -1,12 +1,10 @@
-#include "allocate/at_most.hpp"
+#include "allocate/budget.hpp"
 
 #include "allocate/exploration.hpp"
-#include "allocate/refinements.hpp"
-#include "allocate/trees.hpp"
 
 #include <foam/base/internal/ladder.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/joint_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <algorithm>

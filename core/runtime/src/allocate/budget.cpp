@@ -1,11 +1,6 @@
 #include "allocate/budget.hpp"
 
-#include "allocate/at_most.hpp"
-#include "allocate/separation.hpp"
-#include "allocate/worst_first.hpp"
-
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 

@@ -1,11 +1,8 @@
 #include "allocate/exploration.hpp"
 
-#include "allocate/trees.hpp"
-
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/internal/elements.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>

@@ -11,6 +11,28 @@
 
 namespace foam::inline runtime {
 
+/// Makes the refiners of a shape, whose geometry is built.
+void begin_refinements(const Workspace& workspace, ShapeWork& work);
+
+/// Returns the tree after all refinements, or after those that do not add spheres, with at most `most` spheres in the
+/// finest level. Checks the result of each. Several threads may call it for one shape. After a request to stop, the
+/// result so far is returned.
+enum class Refiners { all, not_adding };
+SphereTree refined(const Workspace& workspace, ShapeWork& work, SphereTree tree, std::size_t most, Refiners which);
+
+/// Checks the contract of spherizers and refiners: finite spheres, valid elements of the kinds that the stage declares,
+/// in proportion to the shape with these bounds, at most as many as requested and as cost what was requested, valid
+/// parents. Throws Error(plugin).
+void check_tree(const SphereTree& tree, const Budget& budget, const std::vector<Element::Kind>& kinds,
+                const Box& bounds, std::string_view stage_kind);
+
+/// Returns the cache key of a shape's tree with at most `count` spheres; 0: no budget.
+Digest tree_key(const Workspace& workspace, const ShapeWork& work, std::size_t count);
+
+/// Adds the trees for the requested counts, from the cache or the stage, and checks the results of the stage. Count 0
+/// means "no budget".
+void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts);
+
 /// The goal of an allocation.
 struct Goal {
     std::size_t most = SIZE_MAX;  ///< number of elements, or cost: see total_of()
@@ -131,4 +153,4 @@ Cut explore(const Workspace& workspace, std::vector<ShapeWork>& shapes,
 Cut explore_for(const Workspace& workspace, std::vector<ShapeWork>& shapes, const std::vector<Group>& groups,
                 const Goal& goal);
 
-} // namespace foam::runtime
+} // namespace foam::inline runtime

@@ -1,9 +1,6 @@
-#include "allocate/random_poses.hpp"
+#include "allocate/budget.hpp"
 
-#include "allocate/covering.hpp"
-#include "allocate/reference_pose.hpp"
-
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/links.hpp>
 
 #include <fmt/format.h>

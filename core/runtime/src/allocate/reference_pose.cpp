@@ -1,11 +1,11 @@
-#include "allocate/reference_pose.hpp"
+#include "allocate/budget.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/collision/separation.hpp>
-#include <foam/geometry/self_intersection.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/robot/internal/chain.hpp>
 #include <foam/robot/kinematics.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 #include <foam/runtime/internal/links.hpp>
 #include <foam/runtime/internal/output.hpp>
 

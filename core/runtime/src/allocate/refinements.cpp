@@ -1,7 +1,7 @@
-#include "allocate/refinements.hpp"
+#include "allocate/exploration.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
-#include "allocate/separation.hpp"
+#include "allocate/budget.hpp"
 
-#include "allocate/covering.hpp"
-
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <fmt/format.h>
 
@@ -197,4 +196,19 @@ void report_overlaps(const Workspace& workspace, const FinishedModel& finished, 
     }
 }
 
-} // namespace foam::runtime
+Elements CoveringElements::of(const Group& group, std::size_t count) {
+    return moved(of_shape(group.shape, count), group.frame);
+}
+
+const Elements& CoveringElements::of_shape(std::size_t shape, std::size_t count) {
+    const auto [known, fresh] = known_.try_emplace({shape, count});
+    if (fresh) {
+        known->second = shapes_[shape].known.trees.at(count).elements();
+        if (workspace_.recipe.guarantee == Guarantee::outer) {
+            known->second = grown_to_cover(shapes_[shape].shape->original(), std::move(known->second));
+        }
+    }
+    return known->second;
+}
+
+} // namespace foam::inline runtime

@@ -1,11 +1,10 @@
-#include <foam/runtime/internal/spherize.hpp>
+#include <foam/runtime/internal/links.hpp>
 
 #include "allocate/budget.hpp"
-#include "finish/kept.hpp"
+#include "finish/finish.hpp"
 #include "input/shapes.hpp"
 
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 

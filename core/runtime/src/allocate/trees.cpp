@@ -1,6 +1,4 @@
-#include "allocate/trees.hpp"
-
-#include "allocate/refinements.hpp"
+#include "allocate/exploration.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/runtime/internal/cover.hpp>
@@ -17,7 +15,7 @@ namespace {
 /// Returns the sphere if the shape is one: no spherizer can do better.
 std::optional<Sphere> as_sphere(const Solid& solid) {
     const Solid::Part& part = solid.parts().front();
-    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Primitive::Kind::sphere) {
+    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Element::Kind::sphere) {
         return {};
     }
     return Sphere{part.pose.translation, part.primitive->radius};

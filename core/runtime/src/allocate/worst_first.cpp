@@ -1,4 +1,4 @@
-#include "allocate/worst_first.hpp"
+#include "allocate/budget.hpp"
 
 #include <algorithm>
 #include <limits>

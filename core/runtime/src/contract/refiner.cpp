@@ -1,8 +1,8 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/joint_volume.hpp>
 #include <foam/geometry/measure.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <cmath>
 

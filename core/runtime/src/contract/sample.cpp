@@ -5,9 +5,8 @@
 namespace foam::inline runtime::sample {
 namespace {
 
-std::shared_ptr<const Solid> primitive_solid(Primitive::Kind kind, const Vec3& size, double radius, double length,
-                                             const Pose& pose = {}) {
-    return Solid::make(std::vector<Solid::Part>{{nullptr, Primitive{kind, size, radius, length}, pose}});
+std::shared_ptr<const Solid> primitive_solid(const Element& primitive, const Pose& pose = {}) {
+    return Solid::make(std::vector<Solid::Part>{{nullptr, primitive, pose}});
 }
 
 } // namespace
@@ -60,23 +59,35 @@ Mesh bracket() {
     return mesh;
 }
 
-const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
-    using Kind = Primitive::Kind;
-    static const std::map<std::string, std::function<std::shared_ptr<const Solid>()>> makers{
+using Makers = std::map<std::string, std::function<std::shared_ptr<const Solid>()>>;
+
+/// Solids that are one primitive each.
+static Makers of_primitives() {
+    return {
+        {"BoxPrimitive",
+         [] {
+             return primitive_solid(Element::box({0.1, 0.2, 0.3}));
+         }},
+        {"BallPrimitive", [] { return primitive_solid(Element::sphere(0.1)); }},
+        {"CylinderPrimitive",
+         [] {
+             return primitive_solid(Element::cylinder(0.05, 0.3), Pose::from_xyz_rpy({0.1, 0, 0}, {0.3, 0.2, 0.1}));
+         }},
+        {"CapsulePrimitive", [] { return primitive_solid(Element::capsule(0.05, 0.3)); }},
+        {"EllipsoidPrimitive",
+         [] {
+             return primitive_solid(Element::ellipsoid({0.05, 0.1, 0.15}), Pose::from_xyz_rpy({0, 0.1, 0}, {0.3, 0.2, 0.1}));
+         }},
+    };
+}
+
+/// Solids of meshes, and of several parts.
+static Makers of_meshes() {
+    return {
         {"Box",
          [] {
              return Solid::make(box({0.1, 0.2, 0.3}));
          }},
-        {"BoxPrimitive",
-         [] {
-             return primitive_solid(Kind::box, {0.1, 0.2, 0.3}, 0, 0);
-         }},
-        {"BallPrimitive", [] { return primitive_solid(Kind::sphere, {}, 0.1, 0); }},
-        {"CylinderPrimitive",
-         [] {
-             return primitive_solid(Kind::cylinder, {}, 0.05, 0.3, Pose::from_xyz_rpy({0.1, 0, 0}, {0.3, 0.2, 0.1}));
-         }},
-        {"CapsulePrimitive", [] { return primitive_solid(Kind::capsule, {}, 0.05, 0.3); }},
         {"Torus", [] { return Solid::make(torus(0.1, 0.03)); }},
         {"Bracket", [] { return Solid::make(bracket()); }},
         {"MirroredBracket",
@@ -105,7 +116,7 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
          [] {
              return Solid::make(std::vector<Solid::Part>{
                  {std::make_shared<const Mesh>(box({0.1, 0.1, 0.1})), {}, {}},
-                 {nullptr, Primitive{Kind::cylinder, {}, 0.03, 0.3}, Pose::from_xyz_rpy({0.02, 0, 0}, {0, 1, 0})}});
+                 {nullptr, Element::cylinder(0.03, 0.3), Pose::from_xyz_rpy({0.02, 0, 0}, {0, 1, 0})}});
          }},
         {"OpenCup",
          [] {
@@ -130,6 +141,14 @@ const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& soli
              return Solid::make(box({0.003, 0.003, 1}));
          }},
     };
+}
+
+const std::map<std::string, std::function<std::shared_ptr<const Solid>()>>& solids() {
+    static const Makers makers = [] {
+        Makers all = of_primitives();
+        all.merge(of_meshes());
+        return all;
+    }();
     return makers;
 }
 

@@ -1,7 +1,7 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ SphereModel model() {
     robot->file = "pair.urdf";
     for (const char* name : {"base", "tool"}) {
         GeometryElement box;
-        box.geometry = Primitive{.kind = Primitive::Kind::box, .size = {1, 1, 1}};
+        box.geometry = Element::box({1, 1, 1});
         robot->links.push_back({.name = name, .collisions = {box}, .visuals = {}});
     }
     Joint joint;
@@ -84,6 +84,9 @@ Element element_of_kind(Element::Kind kind) {
         element.half.z = 0.25;
         break;
     case Element::Kind::box:
+    case Element::Kind::ellipsoid:
+        element.half = {0.3, 0.2, 0.1};
+        return element;
     case Element::Kind::swept_box:
         element.half = {0.3, 0.2, 0.1};
         break;
@@ -92,7 +95,7 @@ Element element_of_kind(Element::Kind kind) {
             convex_hull(std::vector<Vec3>{{0, 0, 0}, {0.5, 0, 0}, {0, 0.25, 0}, {0, 0, 0.125}, {0.5, 0.25, 0.5}});
         return element;
     }
-    element.radius = kind == Element::Kind::box ? 0 : 0.05;
+    element.radius = 0.05;
     return element;
 }
 
@@ -136,10 +139,32 @@ void check_kind(const Writer& writer, Element::Kind kind) {
     require_contained(element, found->second);
 }
 
+/// Checks the files that belong to the one of the writer.
+void check_companions(const Writer& writer, const std::vector<std::string>& companions, Promises& promises) {
+    if (companions.empty()) {
+        return;
+    }
+    promises.check("writes the files that belong to it, the same bytes every time", [&] {
+        QuietContext context;
+        SphereModel spheres = model_for(writer);
+        spheres.file = "contract.urdf";
+        for (const std::string& ending : companions) {
+            try {
+                const std::string bytes = writer.companion(ending, spheres, context);
+                require(bytes == writer.companion(ending, spheres, context),
+                        fmt::format(".{}: the second time it writes other bytes", ending));
+            } catch (const Error& error) { // of a stage that is not here, for one
+                require(error.code() == ErrorCode::output,
+                        fmt::format(".{}: it fails with the wrong code: {}; remedy: ErrorCode::output", ending,
+                                    error.what()));
+            }
+        }
+    });
+}
+
 } // namespace
 
 void check_writer(const Writer& writer, const StageInfo& info, Promises& promises) {
-    const std::vector<std::string>& companions = info.companions;
     for (const Element::Kind kind : info.kinds) {
         if (kind != Element::Kind::sphere) {
             promises.check(fmt::format("gives back a {}", noun_of(kind, 1)), [&] { check_kind(writer, kind); });
@@ -160,24 +185,7 @@ void check_writer(const Writer& writer, const StageInfo& info, Promises& promise
         require(read.size() == spheres.groups.size(),
                 fmt::format("{} links are read back, {} were written", read.size(), spheres.groups.size()));
     });
-    if (!companions.empty()) {
-        promises.check("writes the files that belong to it, the same bytes every time", [&] {
-            QuietContext context;
-            SphereModel spheres = model_for(writer);
-            spheres.file = "contract.urdf";
-            for (const std::string& ending : companions) {
-                try {
-                    const std::string bytes = writer.companion(ending, spheres, context);
-                    require(bytes == writer.companion(ending, spheres, context),
-                            fmt::format(".{}: the second time it writes other bytes", ending));
-                } catch (const Error& error) { // of a stage that is not here, for one
-                    require(error.code() == ErrorCode::output,
-                            fmt::format(".{}: it fails with the wrong code: {}; remedy: ErrorCode::output", ending,
-                                        error.what()));
-                }
-            }
-        });
-    }
+    check_companions(writer, info.companions, promises);
     const auto require_refusal = [&](const std::string& what, const std::function<void()>& call) {
         try {
             call();

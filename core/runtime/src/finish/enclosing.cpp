@@ -1,6 +1,5 @@
-#include "finish/enclosing.hpp"
+#include "finish/finish.hpp"
 
-#include "finish/kept.hpp"
 #include "input/shapes.hpp"
 
 #include <foam/base/parallel.hpp>

@@ -1,6 +1,6 @@
-#include "finish/kept.hpp"
+#include "finish/finish.hpp"
 
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/links.hpp>
 

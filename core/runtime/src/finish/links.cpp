@@ -1,16 +1,14 @@
 #include <foam/runtime/internal/links.hpp>
 
-#include "finish/kept.hpp"
-#include "allocate/objective.hpp"
-#include "input/own_frame.hpp"
+#include "allocate/allocation.hpp"
+#include "finish/finish.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/inner.hpp>
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/quick_solid.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
-#include <foam/runtime/internal/elements.hpp>
 
 #include <fmt/format.h>
 
@@ -24,7 +22,7 @@ static std::vector<Solid::Part> parts_of(const LoadedLink& link, const std::vect
     for (const std::size_t e : elements) {
         const CollisionElement& element = link.elements[e];
         Solid::Part part;
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             part.primitive = *primitive;
             part.pose = element.source->origin;
         } else {
@@ -130,7 +128,7 @@ std::vector<Vec3> vertices_of(const LinkWork& link) {
         return points;
     }
     for (const CollisionElement& element : link.elements) {
-        const Primitive* primitive = element.primitive();
+        const Element* primitive = element.primitive();
         if (!primitive && !element.raw) {
             return {};
         }

@@ -1,4 +1,4 @@
-#include "finish/written_numbers.hpp"
+#include "finish/finish.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>

@@ -1,9 +1,9 @@
-#include <foam/runtime/internal/written_proof.hpp>
+#include <foam/runtime/internal/links.hpp>
 
 #include <foam/geometry/inner.hpp>
 #include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 #include <fmt/format.h>
 

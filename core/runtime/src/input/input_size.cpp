@@ -1,4 +1,4 @@
-#include "input/input_size.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
@@ -19,38 +19,10 @@ double longest_edge(const Box& box) {
     return std::max({size.x, size.y, size.z});
 }
 
-/// Returns the half extent of a primitive along an axis of the frame. `cosines`: of the angles between that axis and
-/// the primitive's own axes.
-double half_extent(const Primitive& primitive, const Vec3& cosines) {
-    const double along = std::abs(cosines.z) * primitive.length / 2;
-    switch (primitive.kind) {
-    case Primitive::Kind::box:
-        return (std::abs(cosines.x) * primitive.size.x + std::abs(cosines.y) * primitive.size.y +
-                std::abs(cosines.z) * primitive.size.z) /
-               2;
-    case Primitive::Kind::sphere:
-        return primitive.radius;
-    case Primitive::Kind::capsule:
-        return along + primitive.radius;
-    case Primitive::Kind::cylinder:
-        return along + primitive.radius * std::hypot(cosines.x, cosines.y);
-    }
-    return 0;
-}
-
-Box box_of(const Primitive& primitive, const Pose& pose) {
-    const Vec3 half{half_extent(primitive, pose.rotation[0]), half_extent(primitive, pose.rotation[1]),
-                    half_extent(primitive, pose.rotation[2])};
-    Box box;
-    box.add(pose.translation - half);
-    box.add(pose.translation + half);
-    return box;
-}
-
 void add(InputSize& size, const CollisionElement& element, const Pose& link) {
     const Pose pose = link * element.source->origin;
-    if (const Primitive* primitive = element.primitive()) {
-        size.box.add(box_of(*primitive, pose));
+    if (const Element* primitive = element.primitive()) {
+        size.box.add(bounds(moved(*primitive, pose)));
     } else if (element.raw) {
         size.triangles += element.raw->triangles.size();
         for (const Vec3& vertex : element.raw->vertices) {

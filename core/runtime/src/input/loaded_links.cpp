@@ -1,7 +1,7 @@
 // The meshes of a robot's links: each file at each scale is loaded once.
-#include "input/own_frame.hpp"
+#include "input/inputs.hpp"
 #include "input/tasks.hpp"
-#include "process/isolated.hpp"
+#include "process/process.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ std::vector<LoadedLink> links_with_geometry(const Robot& robot, const std::funct
                 CollisionElement& element = loaded.elements.emplace_back();
                 element.source = &source;
                 const auto* mesh = std::get_if<MeshReference>(&source.geometry);
-                element.geometry = mesh ? mesh->uri : to_string(std::get<Primitive>(source.geometry).kind);
+                element.geometry = mesh ? mesh->uri : to_string(std::get<Element>(source.geometry).kind);
             }
         }
     }

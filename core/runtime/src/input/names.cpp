@@ -1,4 +1,4 @@
-#include "input/names.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/yaml/findings.hpp>

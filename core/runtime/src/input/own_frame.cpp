@@ -1,4 +1,4 @@
-#include "input/own_frame.hpp"
+#include "input/inputs.hpp"
 
 #include <foam/base/text.hpp>
 
@@ -8,15 +8,6 @@ namespace foam::inline runtime {
 namespace {
 
 constexpr std::string_view metre = "m";
-
-/// Returns the bounding box about the origin of the primitive's own frame.
-Box box_of(const Primitive& primitive) {
-    const double r = primitive.radius, end = primitive.kind == Primitive::Kind::capsule ? r : 0;
-    const Vec3 half = primitive.kind == Primitive::Kind::box      ? primitive.size * 0.5
-                      : primitive.kind == Primitive::Kind::sphere ? Vec3{r, r, r}
-                                                                  : Vec3{r, r, primitive.length / 2 + end};
-    return {-half, half};
-}
 
 /// Returns "arm.urdf:12: box"; of a single mesh its name.
 std::string name_of(const Robot& robot, const CollisionElement& element) {
@@ -75,7 +66,7 @@ bool keeps_bounds(const Parameter& declared, double value) {
 } // namespace
 
 Box bounds_of(const CollisionElement& element) {
-    return element.raw ? geometry::bounds_of_corners(*element.raw) : box_of(*element.primitive());
+    return element.raw ? geometry::bounds_of_corners(*element.raw) : bounds(*element.primitive());
 }
 
 void require_workable(const Robot& robot, const LoadedLink& link) {

@@ -1,10 +1,9 @@
-#include <foam/runtime/internal/prepare.hpp>
+#include <foam/runtime/internal/input.hpp>
 
 #include "input/tasks.hpp"
-#include "process/isolated.hpp"
+#include "process/process.hpp"
 
-#include <foam/geometry/internal/compared_mesh.hpp>
-#include <foam/runtime/internal/input.hpp>
+#include <foam/geometry/internal/triangles.hpp>
 
 #include <map>
 
@@ -63,8 +62,10 @@ std::vector<FilterTask> filter_tasks(const Workspace& workspace, std::vector<Lin
         for (std::size_t e = 0; e < links[l].elements.size(); ++e) {
             CollisionElement& element = links[l].elements[e];
             if (!element.raw) {
-                if (const Primitive* primitive = element.primitive()) {
-                    element.digest = Hasher().add(*primitive).finish();
+                if (const Element* primitive = element.primitive()) {
+                    Hasher hasher;
+                    add_primitive(hasher, *primitive);
+                    element.digest = hasher.finish();
                 }
                 continue;
             }

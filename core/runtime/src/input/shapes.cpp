@@ -1,11 +1,10 @@
 #include "input/shapes.hpp"
 
-#include "input/own_frame.hpp"
-#include "allocate/refinements.hpp"
+#include "allocate/exploration.hpp"
+#include "input/inputs.hpp"
 
-#include <foam/geometry/internal/cavities.hpp>
-#include <foam/geometry/internal/filled.hpp>
-#include <foam/geometry/internal/left_uncovered.hpp>
+#include <foam/geometry/internal/proof.hpp>
+#include <foam/geometry/internal/solids.hpp>
 
 #include <foam/sdk/kinds.hpp>
 
@@ -40,7 +39,7 @@ const char* plural_of(const std::vector<ShapeWork>& shapes) {
 
 static Solid::Part part_of(const CollisionElement& element, const Pose& pose, bool processed) {
     Solid::Part part;
-    if (const Primitive* primitive = element.primitive()) {
+    if (const Element* primitive = element.primitive()) {
         part.primitive = *primitive;
         part.pose = pose;
     } else {
@@ -108,8 +107,8 @@ static Digest content_of(const Workspace& workspace, const Group& group, const L
     Hasher hasher;
     for (const std::size_t e : group.elements) {
         const CollisionElement& element = link.elements[e];
-        if (const Primitive* primitive = element.primitive()) {
-            hasher.add(*primitive);
+        if (const Element* primitive = element.primitive()) {
+            add_primitive(hasher, *primitive);
         } else {
             hasher.add(*element.raw);
         }
@@ -154,6 +153,27 @@ static void set_kinds(const Workspace& workspace, const Recipe::LinkRecipe& reci
     work.adds_spheres = false; // refiners that add spheres count them, not their cost
 }
 
+/// Returns what there is to do for the shape of a group, but for its digest, half-space constraints and frame.
+static ShapeWork work_for(const Workspace& workspace, const LinkWork& link, const Group& group) {
+    ShapeWork work;
+    work.spherizer = link.recipe.spherizer;
+    work.refiners = link.recipe.refiners;
+    work.adds_spheres = std::any_of(work.refiners.begin(), work.refiners.end(), [&](const StageCall& refiner) {
+        return workspace.registry.find(refiner.stage)->info.adds_spheres;
+    });
+    work.objective = objective_of(work.spherizer, workspace.registry);
+    work.content = content_of(workspace, group, link);
+    work.link = link.link->name;
+    work.input = link.elements[group.elements.front()].geometry;
+    work.report.stage = work.spherizer.stage;
+    const std::size_t kept = link.recipe.keep.size();
+    work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
+    work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
+    set_kinds(workspace, link.recipe, work);
+    work.max_protrusion = link.recipe.max_protrusion;
+    return work;
+}
+
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups) {
     std::map<Digest, std::size_t> known;
@@ -193,23 +213,8 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         hasher.add(link.recipe.max_protrusion.value_or(-1));
         const auto [it, fresh] = known.try_emplace(hasher.finish(), shapes.size());
         if (fresh) {
-            ShapeWork& work = shapes.emplace_back();
-            work.spherizer = link.recipe.spherizer;
-            work.refiners = link.recipe.refiners;
-            work.adds_spheres = std::any_of(work.refiners.begin(), work.refiners.end(), [&](const StageCall& refiner) {
-                return workspace.registry.find(refiner.stage)->info.adds_spheres;
-            });
-            work.objective = objective_of(work.spherizer, workspace.registry);
+            ShapeWork& work = shapes.emplace_back(work_for(workspace, link, groups[g]));
             work.digest = digest;
-            work.content = content_of(workspace, groups[g], link);
-            work.link = link.link->name;
-            work.input = link.elements[groups[g].elements.front()].geometry;
-            work.report.stage = work.spherizer.stage;
-            const std::size_t kept = link.recipe.keep.size();
-            work.least = std::max(kept + 1, link.recipe.min_spheres) - kept;
-            work.most = link.recipe.max_spheres ? std::max(work.least, *link.recipe.max_spheres - kept) : SIZE_MAX;
-            set_kinds(workspace, link.recipe, work);
-            work.max_protrusion = link.recipe.max_protrusion;
             work.clip = planes;
             work.frame = frame;
         }

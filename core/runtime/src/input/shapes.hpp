@@ -2,11 +2,10 @@
 #pragma once
 
 #include "allocate/allocation.hpp"
-#include "allocate/objective.hpp"
-#include "process/isolated.hpp"
+#include "process/process.hpp"
 
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/runtime/internal/spherize.hpp>
+#include <foam/runtime/internal/links.hpp>
 
 #include <map>
 #include <memory>

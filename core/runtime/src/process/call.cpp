@@ -1,4 +1,4 @@
-#include "process/call.hpp"
+#include "process/process.hpp"
 
 #include <foam/runtime/internal/bytes.hpp>
 
@@ -43,7 +43,7 @@ void put_solid(std::string& out, const Solid& solid) {
         put(out, part.pose);
         put(out, part.primitive.has_value());
         if (part.primitive) {
-            put(out, *part.primitive);
+            put_element(out, *part.primitive);
         } else {
             put_mesh(out, *part.mesh);
         }
@@ -56,7 +56,7 @@ std::shared_ptr<const Solid> take_solid(ByteReader& in) {
         Solid::Part& part = parts.emplace_back();
         part.pose = in.take<Pose>();
         if (in.take<bool>()) {
-            part.primitive = in.take<Primitive>();
+            part.primitive = take_element(in);
         } else {
             part.mesh = std::make_shared<const Mesh>(take_mesh(in));
         }

@@ -1,10 +1,9 @@
 #include <foam/runtime/internal/child.hpp>
-#include <foam/runtime/internal/child_process.hpp>
 
-#include "process/signals.hpp"
+#include "process/process.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include <foam/runtime/internal/child_process.hpp>
+#include <foam/runtime/internal/child.hpp>
 
 #include <foam/base/error.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
-#include "process/signals.hpp"
-#include "process/unfinished_slots.hpp"
+#include "process/process.hpp"
 
 #include <foam/base/internal/activity.hpp>
-#include <foam/runtime/crash.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>

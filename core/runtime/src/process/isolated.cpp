@@ -1,11 +1,11 @@
-#include "isolated.hpp"
+#include "process.hpp"
 
-#include "process/call.hpp"
-#include "input/own_frame.hpp"
+#include "input/inputs.hpp"
+#include "process/process.hpp"
 
 #include <foam/runtime/internal/bytes.hpp>
 #include <foam/runtime/internal/child.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
 

@@ -1,11 +1,10 @@
 // The child's side of an isolated call.
-#include "process/call.hpp"
+#include "process/process.hpp"
 
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/internal/bytes.hpp>
 #include <foam/runtime/internal/child.hpp>
-#include <foam/runtime/internal/child_process.hpp>
-#include <foam/runtime/isolation.hpp>
+#include <foam/runtime/process.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <unistd.h>

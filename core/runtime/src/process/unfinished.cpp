@@ -1,7 +1,7 @@
-#include "process/unfinished_slots.hpp"
+#include "process/process.hpp"
 
 #include <foam/runtime/cache.hpp>
-#include <foam/runtime/internal/unfinished.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,4 +1,4 @@
-#include "process/watchdog.hpp"
+#include "process/process.hpp"
 
 #include <foam/base/internal/activity.hpp>
 

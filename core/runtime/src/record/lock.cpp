@@ -1,5 +1,5 @@
-#include "input/input_places.hpp"
-#include "record/settings.hpp"
+#include "input/inputs.hpp"
+#include "record/record.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/runtime/verify.hpp>

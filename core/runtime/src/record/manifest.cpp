@@ -1,9 +1,7 @@
-#include "record/manifest.hpp"
-
-#include "record/settings.hpp"
+#include "record/record.hpp"
 
 #include <foam/base/internal/files.hpp>
-#include <foam/geometry/measure_names.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/runtime/version.hpp>
 
 #include <nlohmann/json.hpp>

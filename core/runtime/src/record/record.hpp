@@ -1,7 +1,10 @@
-// A manifest that was read back.
+// The record of a run: its inputs, settings, and manifest.
 #pragma once
 
-#include <foam/runtime/internal/digest.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/runtime/internal/cache.hpp>
+#include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/internal/output.hpp>
 #include <foam/runtime/verify.hpp>
 
 #include <nlohmann/json.hpp>
@@ -12,6 +15,10 @@
 #include <vector>
 
 namespace foam::inline runtime {
+
+/// Returns name, seed, stages with all parameters that affect their output, budget, guarantee, overrides, outputs. Not
+/// the places of inputs (their digests are compared), nor pictures and files for people.
+nlohmann::ordered_json settings_of(const Recipe& recipe, const Registry& registry);
 
 /// A digest in a manifest, and what it is the digest of.
 struct Checkpoint {
@@ -68,4 +75,16 @@ std::vector<Difference> compare_settings(const nlohmann::ordered_json& expected,
 /// different builds of one version.
 std::vector<std::string> other_versions(const Record& expected, const Record& found);
 
-} // namespace foam::runtime
+// manifest.json: the recipe, the inputs, and the results. All of it except `execution` is the same for the same recipe,
+// inputs and versions, on every machine and in every run. `execution` has what may differ: places of files, times,
+// cache hits, findings.
+
+struct RunFiles {
+    const Input& input;
+    std::vector<InputFile> meshes;
+    std::vector<OutputFile> outputs, debug_meshes;
+};
+
+std::string manifest_json(const Workspace& workspace, const RunFiles& files, const RunResult& result);
+
+} // namespace foam::inline runtime

@@ -1,6 +1,5 @@
-#include "record/settings.hpp"
+#include "record/record.hpp"
 
-#include <foam/recipe/internal/facts.hpp>
 #include <foam/recipe/internal/keys.hpp>
 
 namespace foam::inline runtime {

@@ -1,8 +1,8 @@
-#include "write/consumers.hpp"
+#include "write/report.hpp"
 
 #include <foam/collision/self_collision.hpp>
 #include <foam/recipe/recipe.hpp>
-#include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/output.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
 

@@ -1,4 +1,4 @@
-#include <foam/runtime/internal/debug.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ constexpr std::size_t longest_folder_name = 200; // file systems take 255 bytes
 Mesh link_mesh(const LinkWork& link, std::size_t stage) {
     Mesh mesh;
     for (const CollisionElement& element : link.elements) {
-        if (const Primitive* primitive = element.primitive()) {
+        if (const Element* primitive = element.primitive()) {
             append(mesh, transformed(enclosing_mesh(*primitive), element.source->origin));
         } else {
             const std::size_t last = std::min(stage, element.filtered.size());
@@ -89,10 +89,7 @@ std::vector<OutputFile> write_debug_meshes(const Workspace& workspace, const Fin
             append(spheres, enclosing_mesh(element));
         }
         for (const Sphere& sphere : finished.links[l].elements.spheres()) {
-            Pose pose;
-            pose.translation = sphere.center;
-            append(spheres,
-                   transformed(enclosing_mesh({.kind = Primitive::Kind::sphere, .radius = sphere.radius}), pose));
+            append(spheres, enclosing_mesh(element_of(sphere)));
         }
         write(filters.size() + 1, link.recipe.spherizer.stage, spheres);
     });

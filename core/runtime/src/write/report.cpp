@@ -1,7 +1,7 @@
 #include "write/report.hpp"
 
 #include <foam/report/internal/report.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
 
 namespace foam::inline runtime {
 namespace {

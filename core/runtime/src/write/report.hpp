@@ -1,8 +1,12 @@
-// report.html: a report of the run in one file.
+// What a run writes beside its outputs.
 #pragma once
 
-#include <foam/runtime/internal/debug.hpp>
+#include <foam/collision/reference_pose.hpp>
+#include <foam/runtime/internal/input.hpp>
+#include <foam/runtime/internal/links.hpp>
+#include <foam/runtime/internal/output.hpp>
 
+#include <optional>
 #include <string>
 
 namespace foam::inline runtime {
@@ -11,4 +15,10 @@ namespace foam::inline runtime {
 std::string report_html(const Workspace& workspace, const FinishedModel& finished, const std::string& manifest,
                         const std::string& recipe, const Snapshots& pictures);
 
-} // namespace foam::runtime
+/// Fills in the facts of the robot, its rest pose (`reference`, unless the recipe gives one), the pairs that need no check
+/// (if a writer lists them), the verdict, and the line of provenance.
+void complete_model(const Workspace& workspace, const Input& input,
+                    const std::optional<ReferenceConfiguration>& reference, const ProvedLinks& proved,
+                    FinishedModel& finished);
+
+} // namespace foam::inline runtime

@@ -1,5 +1,5 @@
-#include <foam/runtime/internal/debug.hpp>
-#include <foam/runtime/internal/elements.hpp>
+#include <foam/runtime/internal/cover.hpp>
+#include <foam/runtime/internal/output.hpp>
 
 #include <foam/sdk/kinds.hpp>
 

@@ -1,7 +1,7 @@
 #include <foam/runtime/verify.hpp>
 
-#include "input/input_places.hpp"
-#include "record/settings.hpp"
+#include "input/inputs.hpp"
+#include "record/record.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>

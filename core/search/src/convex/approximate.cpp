@@ -1,17 +1,14 @@
-#include "cover/portfolio/unless_stopped.hpp"
-#include "body_of.hpp"
-#include "finish.hpp"
-#include "joint_descent.hpp"
+#include "cells.hpp"
+#include "by_spheres/portfolio/problem.hpp"
 #include "least_fit.hpp"
-#include "least_protrusion.hpp"
-#include "partitions.hpp"
-#include "pricing.hpp"
+#include "search.hpp"
+#include "pieces.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
-#include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
-#include <foam/search/approximate.hpp>
+#include <foam/geometry/measure.hpp>
+#include <foam/search/cover.hpp>
 #include <foam/search/least_element.hpp>
 
 #include <fmt/format.h>
@@ -71,24 +68,19 @@ std::size_t rung_below(std::size_t count) {
 }
 
 } // namespace
-} // namespace convex
 
-struct ApproximationSearch::Data {
-    Data(const Solid& given, std::span<const Element::Kind> given_kinds, const ApproximateOptions& given_options)
-        : solid(given), kinds(given_kinds.begin(), given_kinds.end()), options(given_options),
-          plan(convex::plan_for(options.effort)) {
+struct Search::Data {
+    Data(const Solid& given, const CoverOptions& given_options)
+        : solid(given), kinds(given_options.kinds), options(given_options), plan(plan_for(options.effort)) {
         std::sort(kinds.begin(), kinds.end());
         kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
-        if (kinds.empty()) {
-            throw Error(ErrorCode::usage, "approximate: there is no kind of element to use; remedy: name one or more");
-        }
         if (options.max_vertices < 4) {
-            throw Error(ErrorCode::usage, fmt::format("approximate: a hull has at least 4 vertices, got a limit of {}; "
+            throw Error(ErrorCode::usage, fmt::format("cover: a hull has at least 4 vertices, got a limit of {}; "
                                                       "remedy: allow 4 or more",
                                                       options.max_vertices));
         }
         if (const std::string why = geometry::why_out_of_bounds(solid.bounds()); !why.empty()) {
-            throw Error(ErrorCode::geometry, "approximate: the solid cannot be covered: " + why);
+            throw Error(ErrorCode::geometry, "cover: the solid cannot be covered: " + why);
         }
         only_hulls = kinds == std::vector{Element::Kind::hull};
         if (has(Element::Kind::hull) && options.effort != Effort::best) { // whose first cuts tell what they save
@@ -99,7 +91,7 @@ struct ApproximationSearch::Data {
 
     /// A cover and the figure that is compared, once that is needed.
     struct Rated {
-        ConvexCover cover;
+        Cover cover;
         std::optional<double> figure;
     };
     /// Returns the best cover of at most `count` elements.
@@ -108,12 +100,12 @@ struct ApproximationSearch::Data {
             return found->second;
         }
         std::optional<Rated> best;
-        const bool done = cover::completed_unless_stopped(options.stop, [&] {
+        const bool done = by_spheres::completed_unless_stopped(options.stop, [&] {
             if (count == 1) {
                 best = single();
                 return;
             }
-            best = best_of(convex::rung_below(count));
+            best = best_of(rung_below(count));
             take_better(*best, several(count));
         });
         if (!best) {
@@ -128,51 +120,51 @@ struct ApproximationSearch::Data {
     bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 
     /// Returns the quick fit of least volume of any of the kinds around points in units.
-    convex::Fit quick_fit_around(const std::vector<Vec3>& points) const {
-        convex::Cloud cloud;
+    Fit quick_fit_around(const std::vector<Vec3>& points) const {
+        Cloud cloud;
         cloud.points = points;
-        std::optional<convex::Fit> best;
+        std::optional<Fit> best;
         for (const Element::Kind kind : kinds) {
-            const convex::Fit fit = convex::quick_fit(kind, cloud, options.axis_aligned);
-            if (!best || convex::volume(fit) < convex::volume(*best)) {
+            const Fit fit = quick_fit(kind, cloud, options.axis_aligned);
+            if (!best || volume(fit) < volume(*best)) {
                 best = fit;
             }
         }
         return *best;
     }
-    const cover::Occupancy& occupancy() {
+    const by_spheres::Occupancy& occupancy() {
         constexpr int resolution = 48;
         if (!occupancy_) {
-            occupancy_.emplace(solid, cover::Frame(solid.bounds()), resolution);
+            occupancy_.emplace(solid, by_spheres::Frame(solid.bounds()), resolution);
         }
         return *occupancy_;
     }
-    const convex::Pricing& pricing() {
+    const Pricing& pricing() {
         if (!pricing_ && has(Element::Kind::hull)) {
-            pricing_ = std::make_unique<convex::SumOfHulls>();
+            pricing_ = std::make_unique<SumOfHulls>();
         } else if (!pricing_) {
-            pricing_ = std::make_unique<convex::VolumeOutside>(occupancy(), [this](std::span<const Vec3> points) {
-                return quick_fit_around(convex::few_extremes_of(points));
+            pricing_ = std::make_unique<VolumeOutside>(occupancy(), [this](std::span<const Vec3> points) {
+                return quick_fit_around(few_extremes_of(points));
             });
         }
         return *pricing_;
     }
     Element hull_of(const std::vector<Vec3>& points) const {
-        return convex::hull_around(points, solid.bounds().diagonal(), options.max_vertices);
+        return hull_around(points, solid.bounds().diagonal(), options.max_vertices);
     }
     /// Returns the element of least volume of any of the kinds around points in metres.
     Element element_around(const std::vector<Vec3>& points, Effort effort) const {
         std::optional<Element> best;
-        std::optional<convex::Cloud> cloud;
+        std::optional<Cloud> cloud;
         for (const Element::Kind kind : kinds) {
             Element element;
             if (kind == Element::Kind::hull) {
                 element = hull_of(points);
             } else {
                 if (!cloud) {
-                    cloud = effort == Effort::fast ? convex::quick_cloud_of(points) : convex::cloud_of(points);
+                    cloud = effort == Effort::fast ? quick_cloud_of(points) : cloud_of(points);
                 }
-                element = convex::element_of(convex::least_fit(kind, *cloud, effort, options.axis_aligned), *cloud);
+                element = element_of(least_fit(kind, *cloud, effort, options.axis_aligned), *cloud);
             }
             if (!best || volume(element) < volume(*best)) {
                 best = std::move(element);
@@ -185,7 +177,7 @@ struct ApproximationSearch::Data {
         Rated best{single(Effort::fast), {}};
         if (options.effort != Effort::fast && !only_hulls) { // a hull is a hull
             take_better(best, {single(options.effort), {}});
-            if (options.objective != ApproximationObjective::excess) {
+            if (options.objective != Objective::excess) {
                 take_less_protruding(best);
             }
         }
@@ -194,38 +186,38 @@ struct ApproximationSearch::Data {
     /// Takes the element of any one of the kinds if it protrudes less.
     void take_less_protruding(Rated& best) const {
         const std::vector<Vec3>& points = solid.surface().vertices;
-        const convex::Cloud cloud = convex::cloud_of(points);
+        const Cloud cloud = cloud_of(points);
         for (const Element::Kind kind : kinds) {
             Elements level;
             if (kind == Element::Kind::hull) {
                 level.add(hull_of(points));
             } else {
-                const convex::Fit fit = kind == Element::Kind::sphere
-                                            ? convex::least_sphere(cloud)
-                                            : convex::least_protrusion(kind, cloud, solid, options.objective,
+                const Fit fit = kind == Element::Kind::sphere
+                                            ? least_sphere(cloud)
+                                            : least_protrusion(kind, cloud, solid, options.objective,
                                                                        options.effort, options.axis_aligned);
-                level.add(convex::element_of(fit, cloud));
+                level.add(element_of(fit, cloud));
             }
-            take_better(best, {convex::proved(solid, std::move(level)), {}});
+            take_better(best, {proved(solid, std::move(level)), {}});
         }
     }
-    ConvexCover single(Effort effort) const {
+    Cover single(Effort effort) const {
         Elements level;
         level.add(element_around(solid.surface().vertices, effort));
-        return convex::proved(solid, std::move(level));
+        return proved(solid, std::move(level));
     }
-    const convex::BodyOfSolid& body() {
+    const BodyOfSolid& body() {
         if (!body_) {
-            body_ = convex::body_of(solid);
+            body_ = body_of(solid);
         }
         return *body_;
     }
     /// Returns an element around each piece that has a part of the surface.
-    std::vector<Element> elements_of(const convex::Partition& partition, Effort effort) {
-        const convex::BodyOfSolid& all = body();
+    std::vector<Element> elements_of(const Partition& partition, Effort effort) {
+        const BodyOfSolid& all = body();
         std::vector<std::optional<Element>> found(partition.pieces.size());
         parallel_for(found.size(), [&](std::size_t i) {
-            std::vector<Vec3> points = convex::points_of(partition, partition.pieces[i], all.body, only_hulls);
+            std::vector<Vec3> points = points_of(partition, partition.pieces[i], all.body, only_hulls);
             for (Vec3& p : points) {
                 p = all.origin + p * all.unit;
             }
@@ -243,11 +235,11 @@ struct ApproximationSearch::Data {
     }
     bool has_round_parts() const {
         return std::any_of(solid.parts().begin(), solid.parts().end(), [](const Solid::Part& part) {
-            return part.primitive && part.primitive->kind != Primitive::Kind::box;
+            return part.primitive && part.primitive->kind != Element::Kind::box;
         });
     }
     /// Returns the cover by elements of pieces that meet in planes.
-    ConvexCover cover_by(const std::vector<Element>& elements) {
+    Cover cover_by(const std::vector<Element>& elements) {
         // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces
         // of round primitives down to the overlap, but cuts triangles along the elements.
         const double overlap = (has_round_parts() ? 3e-4 : 1e-6) * body().unit;
@@ -255,31 +247,31 @@ struct ApproximationSearch::Data {
         for (const Element& element : elements) {
             level.add(grown(element, overlap));
         }
-        return convex::proved(solid, std::move(level));
+        return proved(solid, std::move(level));
     }
     std::vector<Element> descended(const std::vector<Element>& elements) {
-        const convex::BodyOfSolid& all = body();
-        std::vector<convex::Fit> fits;
+        const BodyOfSolid& all = body();
+        std::vector<Fit> fits;
         for (const Element& element : elements) {
-            fits.push_back(convex::fit_of(element, all.origin, all.unit));
+            fits.push_back(fit_of(element, all.origin, all.unit));
         }
-        fits = convex::descended_together(all.body, occupancy(), std::move(fits), options.effort, options.axis_aligned);
-        convex::Cloud frame;
+        fits = descended_together(all.body, occupancy(), std::move(fits), options.effort, options.axis_aligned);
+        Cloud frame;
         frame.origin = all.origin;
         frame.unit = all.unit;
         std::vector<Element> result;
-        for (const convex::Fit& fit : fits) {
-            result.push_back(convex::element_of(fit, frame));
+        for (const Fit& fit : fits) {
+            result.push_back(element_of(fit, frame));
         }
         return result;
     }
-    Rated cover_of(const convex::Partition& partition) {
+    Rated cover_of(const Partition& partition) {
         if (has(Element::Kind::hull)) {
             return {cover_by(elements_of(partition, options.effort)), {}};
         }
         const std::vector<Element> start = elements_of(partition, Effort::fast);
         Rated best{cover_by(descended(start)), {}};
-        const bool descends_by_figure = options.objective == ApproximationObjective::excess && solid.volume() > 0;
+        const bool descends_by_figure = options.objective == Objective::excess && solid.volume() > 0;
         if (!descends_by_figure) {
             take_better(best, {cover_by(start), {}});
         }
@@ -287,10 +279,10 @@ struct ApproximationSearch::Data {
     }
     /// Returns the volume of the element around points.
     double price_of_one(std::span<const Vec3> points) const {
-        return has(Element::Kind::hull) ? convex::volume_of_hull(points)
-                                        : convex::volume(quick_fit_around(convex::few_extremes_of(points)));
+        return has(Element::Kind::hull) ? volume_of_hull(points)
+                                        : volume(quick_fit_around(few_extremes_of(points)));
     }
-    convex::Partitions& partitions() {
+    Partitions& partitions() {
         if (!partitions_) {
             partitions_.emplace(
                 body().body, pricing(), [this](std::span<const Vec3> points) { return price_of_one(points); },
@@ -301,7 +293,7 @@ struct ApproximationSearch::Data {
     Rated several(std::size_t count) { return cover_of(partitions().best(count)); }
     double figure(Rated& rated) const {
         if (!rated.figure) {
-            rated.figure = convex::figure_of(solid, rated.cover, options.objective);
+            rated.figure = figure_of(solid, rated.cover, options.objective);
         }
         return *rated.figure;
     }
@@ -313,48 +305,27 @@ struct ApproximationSearch::Data {
 
     const Solid& solid;
     std::vector<Element::Kind> kinds;
-    ApproximateOptions options;
-    convex::PartitionPlan plan;
+    CoverOptions options;
+    PartitionPlan plan;
     bool only_hulls = false;
-    std::optional<cover::Occupancy> occupancy_;
-    std::unique_ptr<convex::Pricing> pricing_;
-    std::optional<convex::BodyOfSolid> body_;
-    std::optional<convex::Partitions> partitions_;
+    std::optional<by_spheres::Occupancy> occupancy_;
+    std::unique_ptr<Pricing> pricing_;
+    std::optional<BodyOfSolid> body_;
+    std::optional<Partitions> partitions_;
     std::map<std::size_t, Rated> known;
 };
 
-ApproximationSearch::ApproximationSearch(const Solid& solid, std::span<const Element::Kind> kinds,
-                                         const ApproximateOptions& options)
-    : data_(std::make_unique<Data>(solid, kinds, options)) {}
+Search::Search(const Solid& solid, const CoverOptions& options) : data_(std::make_unique<Data>(solid, options)) {}
 
-ApproximationSearch::~ApproximationSearch() = default;
+Search::~Search() = default;
 
-ConvexCover ApproximationSearch::cover(std::size_t count) {
-    if (count == 0) {
-        throw Error(ErrorCode::usage,
-                    "approximate: a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
-    }
-    ConvexCover cover = data_->best_of(count).cover;
+Cover Search::cover(std::size_t count) {
+    Cover cover = data_->best_of(count).cover;
     cover.volume = union_volume(cover.elements);
     return cover;
 }
 
-ConvexCover approximate(const Solid& solid, std::size_t count, std::span<const Element::Kind> kinds,
-                        const ApproximateOptions& options) {
-    return ApproximationSearch(solid, kinds, options).cover(count);
-}
-
-ConvexCover approximate(const Mesh& mesh, std::size_t count, std::span<const Element::Kind> kinds,
-                        const ApproximateOptions& options) {
-    return approximate(*Solid::make(mesh), count, kinds, options);
-}
-
-std::optional<ApproximationObjective> approximation_objective_named(std::string_view word) {
-    return word == "excess"            ? std::optional(ApproximationObjective::excess)
-           : word == "mean_protrusion" ? std::optional(ApproximationObjective::mean_protrusion)
-           : word == "protrusion"      ? std::optional(ApproximationObjective::protrusion)
-                                       : std::nullopt;
-}
+} // namespace convex
 
 Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort effort, bool axis_aligned) {
     if (points.empty()) {

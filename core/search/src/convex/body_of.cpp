@@ -1,9 +1,9 @@
-#include "body_of.hpp"
+#include "cells.hpp"
 
-#include "cover/measured/occupancy.hpp"
+#include "by_spheres/measured/occupancy.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/edges.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,7 @@ bool surface_tells_volume(const Polygons& surface, const Solid& solid, double un
 void set_samples(Body& body, const Solid& solid) {
     constexpr int resolution = 32;
     constexpr double units = 2; // of the occupancy in one of the body
-    const cover::Occupancy occupancy(solid, cover::Frame(solid.bounds()), resolution);
+    const by_spheres::Occupancy occupancy(solid, by_spheres::Frame(solid.bounds()), resolution);
     for (std::size_t i = 0; i < occupancy.inside().size(); ++i) {
         body.samples.push_back(occupancy.inside().at(i) / units);
     }

@@ -1,4 +1,4 @@
-#include "bricks.hpp"
+#include "cells.hpp"
 
 namespace foam::inline search::convex {
 

@@ -4,7 +4,7 @@
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <limits>

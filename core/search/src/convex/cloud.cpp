@@ -1,9 +1,7 @@
 #include "cloud.hpp"
 
-#include "hull_of_points.hpp"
-
 #include <foam/base/error.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -142,6 +140,8 @@ double volume(const Fit& fit) {
     case Element::Kind::swept_box: // Steiner's formula
         return 8 * h.x * h.y * h.z + 8 * r * (h.x * h.y + h.y * h.z + h.z * h.x) + 2 * pi * r * r * (h.x + h.y + h.z) +
                4 * pi / 3 * r * r * r;
+    case Element::Kind::ellipsoid:
+        return 4 * pi / 3 * h.x * h.y * h.z;
     case Element::Kind::hull:
         break;
     }
@@ -158,6 +158,10 @@ Element element_of(const Fit& fit, const Cloud& cloud) {
         element.pose.rotation[static_cast<std::size_t>(i)] = {fit.axes[0][i], fit.axes[1][i], fit.axes[2][i]};
     }
     element.pose.translation = cloud.origin + fit.center * cloud.unit;
+    if (fit.kind == Element::Kind::ellipsoid) {
+        element.half = fit.half * cloud.unit;
+        return grown(element, spare);
+    }
     const bool has_radius = fit.kind != Element::Kind::box;
     const bool has_flat_ends = fit.kind == Element::Kind::box || fit.kind == Element::Kind::cylinder;
     element.radius = has_radius ? fit.radius * cloud.unit + spare : 0;

@@ -1,7 +1,5 @@
 #include "collapsing_hull.hpp"
 
-#include "least_beyond.hpp"
-
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>

@@ -1,11 +1,15 @@
-// A convex hull whose edges are collapsed outwards, one after another.
+// A hull with fewer vertices that holds all points.
 #pragma once
 
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/internal/quickhull.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <queue>
 #include <span>
@@ -13,6 +17,18 @@
 #include <vector>
 
 namespace foam::inline search::convex {
+
+/// The points x with dot(normal, x) >= offset, and how much the distance from its plane costs.
+struct HalfSpace {
+    Vec3 normal; ///< of length 1
+    double offset;
+    double weight; ///< at least 0
+};
+
+/// Returns the point in all half-spaces, to 1e-10, for which the sum of weight · distance from the plane is least.
+/// Nothing if there is none with coordinates up to `reach`, or none that is well determined. The dual simplex method
+/// (Lemke 1954): a handful of steps, each O(n).
+std::optional<Vec3> least_beyond(std::span<const HalfSpace> planes, double reach);
 
 /// A hull of the size 1 that loses vertices and always contains what it contained: progressive hulls (Sander, Gu,
 /// Gortler, Hoppe, Snyder: Silhouette clipping, 2000), kept convex. An edge is replaced by the point beyond the planes
@@ -78,5 +94,9 @@ private:
     std::vector<HorizonEdge> horizon_;
     std::uint64_t look_ = 0;
 };
+
+/// Returns a polytope with at most `most` vertices (at least 4) that contains the given one, to about 1e-9 of its
+/// size: by CollapsingHull. A box around it, or a tetrahedron, where that cannot reach the number.
+std::shared_ptr<const Polytope> with_fewer_vertices(const Polytope& polytope, std::size_t most);
 
 } // namespace foam::inline search::convex

@@ -1,6 +1,6 @@
-#include "cut_search.hpp"
+#include "cells.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
-#include "cover/measured/wide_vectors.hpp"
 #include "cloud.hpp"
+#include "by_spheres/measured/points.hpp"
 
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,8 @@
-#include "fewer_vertices.hpp"
-
 #include "collapsing_hull.hpp"
-#include "hull_of_points.hpp"
 
-#include <foam/geometry/internal/farthest.hpp>
+#include "cloud.hpp"
+
+#include <foam/geometry/internal/quickhull.hpp>
 
 #include <Eigen/Eigenvalues>
 

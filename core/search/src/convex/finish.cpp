@@ -1,7 +1,7 @@
-#include "finish.hpp"
+#include "least_fit.hpp"
 
 #include "cloud.hpp"
-#include "fewer_vertices.hpp"
+#include "collapsing_hull.hpp"
 
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/internal/proof.hpp>
@@ -54,8 +54,8 @@ Element hull_around(std::vector<Vec3> points, double unit, std::size_t most_vert
     return grown(element, spare * unit);
 }
 
-ConvexCover proved(const Solid& solid, Elements elements) {
-    ConvexCover cover;
+Cover proved(const Solid& solid, Elements elements) {
+    Cover cover;
     cover.certificate = geometry::certify_to_first_gap(solid, elements);
     if (!cover.certificate.holds) {
         elements = grown_to_cover(solid, std::move(elements));
@@ -65,8 +65,8 @@ ConvexCover proved(const Solid& solid, Elements elements) {
     return cover;
 }
 
-double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObjective objective) {
-    if (objective == ApproximationObjective::excess) {
+double figure_of(const Solid& solid, const Cover& cover, Objective objective) {
+    if (objective == Objective::excess) {
         return solid.volume() > 0 ? excess_volume(solid, cover.elements) : union_volume(cover.elements);
     }
     MeasureOptions quick;
@@ -75,7 +75,7 @@ double figure_of(const Solid& solid, const ConvexCover& cover, ApproximationObje
     quick.volume_points = 1;
     quick.directions_per_sphere = 200;
     const Measures measures = measure(solid, cover.elements, quick);
-    return objective == ApproximationObjective::protrusion ? measures.protrusion_max : measures.protrusion_mean;
+    return objective == Objective::protrusion ? measures.protrusion_max : measures.protrusion_mean;
 }
 
 } // namespace foam::inline search::convex

@@ -1,5 +1,7 @@
 #include "fit_programme.hpp"
 
+#include "ellipsoid_fit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +19,10 @@ Constraint constraint_of(const Vec3& q, const Vec3& n, double room) {
     return c;
 }
 
+bool is_ellipsoid(const Fit& fit) {
+    return fit.kind == Kind::ellipsoid;
+}
+
 bool has_flat_end(Kind kind, int axis) {
     return kind == Kind::box || (kind == Kind::cylinder && axis == 2);
 }
@@ -24,16 +30,32 @@ bool has_flat_end(Kind kind, int axis) {
 void add_length_constraints(const Fit& fit, std::vector<Constraint>& constraints) {
     for (int axis = 0; axis < 3; ++axis) {
         if (uses_half(fit.kind, axis)) {
-            Constraint positive{Variables::Zero(), fit.half[axis] - (has_flat_end(fit.kind, axis) ? thin : 0)};
+            Constraint positive{Variables::Zero(), fit.half[axis] -
+                                                      (has_flat_end(fit.kind, axis) || is_ellipsoid(fit) ? thin : 0)};
             positive.slope(6 + axis) = -1;
             constraints.push_back(positive);
         }
     }
-    if (fit.kind != Kind::box) {
+    if (fit.kind != Kind::box && !is_ellipsoid(fit)) {
         Constraint positive{Variables::Zero(), fit.radius - thin};
         positive.slope(9) = -1;
         constraints.push_back(positive);
     }
+}
+
+/// Adds the constraint that a point stays within an ellipsoid, if a step may reach it.
+void add_ellipsoid(const Fit& fit, const Vec3& q, double reach, std::vector<Constraint>& constraints) {
+    double slope = 0;
+    const Vec3 n = normal_of_ellipsoid(fit, q, slope);
+    const double room = (1 - reach_of_ellipsoid(fit, q)) / slope; // to first order
+    if (!(slope > 0) || room > reach) {
+        return;
+    }
+    Constraint c = constraint_of(q, n, room);
+    for (int axis = 0; axis < 3; ++axis) {
+        c.slope(6 + axis) = -std::abs(n[axis] * q[axis] / fit.half[axis]);
+    }
+    constraints.push_back(c);
 }
 
 /// Adds the constraint that a point stays within the radius, if a step may reach it.
@@ -74,7 +96,7 @@ void add_flat(const Fit& fit, const Vec3& q, double reach, std::vector<Constrain
 } // namespace
 
 bool uses_half(Kind kind, int axis) {
-    return kind == Kind::box || kind == Kind::swept_box || (kind != Kind::sphere && axis == 2);
+    return kind == Kind::box || kind == Kind::swept_box || kind == Kind::ellipsoid || (kind != Kind::sphere && axis == 2);
 }
 
 Vec3 from_core(const Fit& fit, const Vec3& local) {
@@ -83,6 +105,16 @@ Vec3 from_core(const Fit& fit, const Vec3& local) {
 }
 
 void close_around(Fit& fit, const Cloud& cloud) {
+    if (is_ellipsoid(fit)) {
+        double farthest = 0;
+        for (const Vec3& p : cloud.points) {
+            farthest = std::max(farthest, reach_of_ellipsoid(fit, fit.local(p)));
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            fit.half[axis] = std::max(fit.half[axis] * farthest, thin);
+        }
+        return;
+    }
     double squared = 0;
     Vec3 length{};
     for (const Vec3& p : cloud.points) {
@@ -107,11 +139,15 @@ Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance) {
     Cloud near;
     for (const Vec3& p : cloud.points) {
         const Vec3 q = fit.local(p);
-        bool is_near = false;
+        double slope = 0;
+        if (is_ellipsoid(fit)) {
+            normal_of_ellipsoid(fit, q, slope);
+        }
+        bool is_near = is_ellipsoid(fit) && reach_of_ellipsoid(fit, q) > 1 - distance * slope;
         for (int axis = 0; axis < 3; ++axis) {
             is_near = is_near || (has_flat_end(fit.kind, axis) && std::abs(q[axis]) > fit.half[axis] - distance);
         }
-        if (fit.kind != Kind::box && !is_near) {
+        if (fit.kind != Kind::box && !is_ellipsoid(fit) && !is_near) {
             const double room = fit.radius - distance;
             is_near = room <= 0 ||
                       squared_norm(fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q)) > room * room;
@@ -133,7 +169,9 @@ void set_constraints(const Fit& fit, const Cloud& cloud, double length, std::vec
     add_length_constraints(fit, constraints);
     for (const Vec3& p : cloud.points) {
         const Vec3 q = fit.local(p);
-        if (fit.kind != Kind::box) {
+        if (is_ellipsoid(fit)) {
+            add_ellipsoid(fit, q, reach, constraints);
+        } else if (fit.kind != Kind::box) {
             add_round(fit, q, reach, constraints);
         }
         add_flat(fit, q, reach, constraints);
@@ -161,7 +199,11 @@ Variables volume_slopes(const Fit& fit) {
     Variables g = Variables::Zero();
     const Vec3& h = fit.half;
     const double r = fit.radius;
-    if (fit.kind == Kind::swept_box) {
+    if (is_ellipsoid(fit)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            g(6 + axis) = volume(fit) / h[axis];
+        }
+    } else if (fit.kind == Kind::swept_box) {
         g(6) = 8 * h.y * h.z + 8 * r * (h.y + h.z) + 2 * pi * r * r;
         g(7) = 8 * h.x * h.z + 8 * r * (h.x + h.z) + 2 * pi * r * r;
         g(8) = 8 * h.x * h.y + 8 * r * (h.x + h.y) + 2 * pi * r * r;

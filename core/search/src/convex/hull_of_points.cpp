@@ -1,4 +1,4 @@
-#include "hull_of_points.hpp"
+#include "cloud.hpp"
 
 #include <foam/base/random.hpp>
 

@@ -1,11 +1,10 @@
-#include "joint_descent.hpp"
-
-#include "boundary.hpp"
-#include "fit_descent.hpp"
-#include "hull_in_plane.hpp"
-#include "hull_of_points.hpp"
 #include "least_fit.hpp"
-#include "outside_lattice.hpp"
+
+#include "cells.hpp"
+#include "cloud.hpp"
+#include "ellipsoid_fit.hpp"
+#include "fit_programme.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
 
@@ -22,6 +21,9 @@ double distance_to(const Fit& fit, const Vec3& p) {
     const Vec3 q = fit.local(p);
     if (fit.kind == Kind::cylinder) {
         return std::max(std::hypot(q.x, q.y) - fit.radius, std::abs(q.z) - fit.half.z);
+    }
+    if (fit.kind == Kind::ellipsoid) { // outside, by a factor of the least half axis
+        return (reach_of_ellipsoid(fit, q) - 1) * std::min({fit.half.x, fit.half.y, fit.half.z});
     }
     return norm(from_core(fit, q)) - fit.radius;
 }
@@ -41,7 +43,7 @@ Fit least_around(Kind kind, const std::vector<Vec3>& points) {
 
 class Descent {
 public:
-    Descent(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
+    Descent(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
         : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes),
           taken_(body.surface.corners.size(), 0) {}
 
@@ -274,7 +276,7 @@ private:
 
 } // namespace
 
-std::vector<Fit> descended_together(const Body& body, const cover::Occupancy& occupancy, std::vector<Fit> fits,
+std::vector<Fit> descended_together(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits,
                                     Effort effort, bool keep_axes) {
     const int sweeps = effort == Effort::fast ? 1 : effort == Effort::normal ? 4 : 20;
     const int steps = effort == Effort::fast ? 4 : 10;

@@ -1,4 +1,4 @@
-#include "least_beyond.hpp"
+#include "collapsing_hull.hpp"
 
 #include <algorithm>
 #include <array>

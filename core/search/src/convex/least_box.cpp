@@ -1,9 +1,9 @@
 #include "fit_programme.hpp"
 #include "least_fit.hpp"
-#include "rectangle.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <Eigen/Eigenvalues>
 

@@ -1,8 +1,6 @@
-#include "least_protrusion.hpp"
-
-#include "boundary.hpp"
-#include "fit_descent.hpp"
 #include "least_fit.hpp"
+
+#include "fit_programme.hpp"
 
 #include <cmath>
 #include <optional>
@@ -107,9 +105,9 @@ private:
 
 } // namespace
 
-Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid, ApproximationObjective objective,
+Fit least_protrusion(Element::Kind kind, const Cloud& cloud, const Solid& solid, Objective objective,
                      Effort effort, bool axis_aligned) {
-    const bool mean = objective == ApproximationObjective::mean_protrusion;
+    const bool mean = objective == Objective::mean_protrusion;
     const Protrusion smooth(cloud, solid, mean ? 1 : 12), sharp(cloud, solid, 48);
     const Fit fit = LeastProtrusion(cloud, smooth, effort, axis_aligned).least(kind);
     return mean ? fit : LeastProtrusion(cloud, sharp, effort, axis_aligned).further(fit);

@@ -1,4 +1,4 @@
-#include "pricing.hpp"
+#include "pieces.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>

@@ -1,4 +1,4 @@
-#include "orientation_bounds.hpp"
+#include "least_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

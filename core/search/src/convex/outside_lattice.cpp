@@ -1,6 +1,6 @@
-#include "outside_lattice.hpp"
+#include "cells.hpp"
 
-#include "cover/measured/wide_vectors.hpp"
+#include "by_spheres/measured/points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +75,22 @@ void hold_by_cylinder(const Held& f, std::size_t count, const float* x, const fl
     }
 }
 
+FOAM_FOR_WIDE_VECTORS
+void hold_by_ellipsoid(const Held& f, std::size_t count, const float* x, const float* y, const float* z, float* held) {
+    for (std::size_t i = 0; i < count; ++i) {
+        float squared = 0, slope = 0; // of the reach, and of its gradient
+        for (int k = 0; k < 3; ++k) {
+            const float q = f.axis[k][0] * x[i] + f.axis[k][1] * y[i] + f.axis[k][2] * z[i] - f.offset[k];
+            const float share = q / f.half[k];
+            squared += share * share;
+            slope += share * share / (f.half[k] * f.half[k]);
+        }
+        // (reach² - 1) / |gradient of reach²| is about the distance from the surface.
+        const float distance = (squared - 1) / (2 * std::sqrt(slope) + 1e-20f);
+        held[i] = std::max(held[i], std::clamp(0.5f - distance * f.inverse_cell, 0.0f, 1.0f));
+    }
+}
+
 bool meet(const Box& a, const Box& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
            a.low.z <= b.high.z && b.low.z <= a.high.z;
@@ -89,6 +105,10 @@ Box bounds(const Fit& fit) {
         reach[i] = fit.kind == Kind::cylinder ? fit.radius * std::hypot(fit.axes[0][i], fit.axes[1][i])
                    : fit.kind == Kind::box    ? 0
                                               : fit.radius;
+        if (fit.kind == Kind::ellipsoid) {
+            reach[i] = norm(Vec3{fit.axes[0][i] * fit.half.x, fit.axes[1][i] * fit.half.y, fit.axes[2][i] * fit.half.z});
+            continue;
+        }
         for (int k = 0; k < 3; ++k) {
             reach[i] += std::abs(fit.axes[static_cast<std::size_t>(k)][i]) * fit.half[k];
         }
@@ -159,9 +179,10 @@ void OutsideLattice::hold(const Fit& fit) {
     const auto first = static_cast<std::size_t>(from - along.begin());
     const auto count = static_cast<std::size_t>(std::upper_bound(from, along.end(), high) - from);
     const Held f(fit, cell_);
-    const auto add = fit.kind == Kind::box        ? hold_by_box
-                     : fit.kind == Kind::cylinder ? hold_by_cylinder
-                                                  : hold_by_round;
+    const auto add = fit.kind == Kind::box         ? hold_by_box
+                     : fit.kind == Kind::cylinder  ? hold_by_cylinder
+                     : fit.kind == Kind::ellipsoid ? hold_by_ellipsoid
+                                                   : hold_by_round;
     add(f, count, x_.data() + first, y_.data() + first, z_.data() + first, held_.data() + first);
 }
 

@@ -1,6 +1,6 @@
-#include "partitions.hpp"
+#include "pieces.hpp"
 
-#include "body_of.hpp"
+#include "cells.hpp"
 
 #include <algorithm>
 #include <numeric>

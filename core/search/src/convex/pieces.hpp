@@ -1,11 +1,15 @@
-// Bricks put together to pieces, one convex hull each.
+// The pieces that a body is cut into: their prices, and whole partitions.
 #pragma once
 
+#include "cells.hpp"
 #include "cloud.hpp"
-#include "cut_search.hpp"
+#include "by_spheres/measured/occupancy.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace foam::inline search::convex {
@@ -81,5 +85,80 @@ struct RecutPlan {
 void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan);
 /// Cuts pieces until there are `count`, or none can be cut: the piece that gains most by its cut is the next.
 void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan);
+
+/// Sums of the volumes of hulls, which hardly overlap. No other element around a piece has less volume.
+class SumOfHulls : public Pricing {
+public:
+    void appraise(Piece& piece) const override;
+    Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
+};
+
+/// The volume outside the solid of the union of quick fits. What several elements hold counts once.
+class VolumeOutside : public Pricing {
+public:
+    /// Returns the element of a piece from the points that it is to hold.
+    using FitAround = std::function<Fit(std::span<const Vec3>)>;
+    VolumeOutside(const by_spheres::Occupancy& occupancy, FitAround fit_around)
+        : occupancy_(occupancy), fit_around_(std::move(fit_around)) {}
+
+    void appraise(Piece& piece) const override;
+    Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
+
+private:
+    const by_spheres::Occupancy& occupancy_;
+    FitAround fit_around_;
+};
+
+/// How long to search.
+struct PartitionPlan {
+    std::size_t hull_bricks; ///< bricks for a few hulls; twice as many, and so on, for many
+    std::size_t bricks;      ///< for other kinds
+    RecutPlan recut;
+};
+
+/// Partitions of one body for any number of pieces. What the numbers have in common is computed once.
+class Partitions {
+public:
+    /// `price`: of the element around points alone. `only_hulls`: pieces become hulls, which take finer bricks. Body
+    /// and pricing must outlive this.
+    Partitions(const Body& body, const Pricing& pricing, Price price, bool only_hulls, const PartitionPlan& plan)
+        : body_(body), pricing_(pricing), price_(std::move(price)), only_hulls_(only_hulls), plan_(plan) {}
+
+    /// Returns the better partition that merging and splitting give, recut. Splitting alone does not get to a body with
+    /// several legs: the first cut between two of them gains nothing.
+    Partition best(std::size_t count);
+
+private:
+    /// Bricks, and the merges of them.
+    struct Merged {
+        std::vector<Brick> bricks;
+        Merges merges;
+    };
+    static constexpr std::size_t bricks_a_piece = 6; ///< at least, where not all are hulls
+
+    /// Returns about so many bricks that make up pieces, and the merges of them. For hulls the same serve for several
+    /// numbers.
+    const Merged& merged_bricks(std::size_t most);
+    /// Returns the bricks that pieces are made of, about `most`. For hulls they are put together where that adds
+    /// little.
+    const std::vector<Brick>& bricks(std::size_t most);
+    /// Returns how many bricks so many pieces are made of. Several counts have the same, and share what is found.
+    std::size_t bricks_for(std::size_t count) const;
+    /// Returns the partition that merges of bricks give.
+    Partition by_merging(std::size_t count, std::size_t number);
+    /// Returns the partition that cuts of pieces give. Goes on from that into fewer pieces of the same bricks.
+    Partition by_splitting(std::size_t count);
+    double price_of(const Partition& partition) const;
+
+    const Body& body_;
+    const Pricing& pricing_;
+    const Price price_;
+    const bool only_hulls_;
+    const PartitionPlan plan_;
+    std::map<std::size_t, Merged> merged_;             ///< by the number asked for
+    std::map<std::size_t, std::vector<Brick>> bricks_; ///< of hulls, the same
+    /// By number of bricks: partitions by number of pieces.
+    std::map<std::size_t, std::map<std::size_t, Partition>> splits_;
+};
 
 } // namespace foam::inline search::convex

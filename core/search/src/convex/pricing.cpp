@@ -1,6 +1,6 @@
-#include "pricing.hpp"
+#include "pieces.hpp"
 
-#include "outside_lattice.hpp"
+#include "cells.hpp"
 
 #include <algorithm>
 #include <memory>

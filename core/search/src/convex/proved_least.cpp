@@ -1,8 +1,9 @@
 // Branch and bound over orientations.
-#include "orientation_bounds.hpp"
+#include "least_fit.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/search/cover.hpp>
 #include <foam/search/least_element.hpp>
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "quadratic_step.hpp"
+#include "fit_programme.hpp"
 
 #include <Eigen/Cholesky>
 

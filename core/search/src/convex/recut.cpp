@@ -1,4 +1,4 @@
-#include "cut_search.hpp"
+#include "cells.hpp"
 #include "pieces.hpp"
 
 #include <foam/base/cancellation.hpp>

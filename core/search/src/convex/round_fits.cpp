@@ -1,9 +1,10 @@
-#include "circle.hpp"
-#include "fit_descent.hpp"
+#include "ellipsoid_fit.hpp"
+#include "fit_programme.hpp"
 #include "least_fit.hpp"
+#include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
-#include <foam/geometry/directions.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,9 @@ Fit quick_fit(Kind kind, const Cloud& cloud, bool axis_aligned) {
     if (kind == Kind::box && axis_aligned) {
         return upright_box(cloud);
     }
+    if (kind == Kind::ellipsoid) {
+        return least_ellipsoid(cloud, 0.05, 40);
+    }
     const Fit box = quick_box(cloud);
     if (kind == Kind::box) {
         return box;
@@ -242,6 +246,8 @@ Fit least_fit(Kind kind, const Cloud& cloud, Effort effort, bool axis_aligned) {
         return least_cylinder(cloud, effort);
     case Kind::box:
         return axis_aligned ? upright_box(cloud) : least_box(cloud, effort);
+    case Kind::ellipsoid:
+        return effort == Effort::fast ? least_ellipsoid(cloud, 1e-3, 300) : least_ellipsoid(cloud, 1e-7, 20'000);
     case Kind::swept_box:
     case Kind::hull:
         break;

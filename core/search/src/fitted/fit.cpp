@@ -1,6 +1,6 @@
-#include <foam/search/fit.hpp>
+#include <foam/search/refine.hpp>
 
-#include "cover/starts/starts.hpp"
+#include "by_spheres/starts/starts.hpp"
 #include "symmetric_difference.hpp"
 
 #include <foam/base/random.hpp>
@@ -11,8 +11,8 @@
 namespace foam::inline search::fitted {
 namespace {
 
-using cover::Ball;
-using cover::Balls;
+using by_spheres::Ball;
+using by_spheres::Balls;
 
 /// Steps in units of the balls' mean radius, falling geometrically from first to last.
 struct Steps {
@@ -32,7 +32,7 @@ Balls descend(const SymmetricDifference& difference, Balls balls, const Steps& s
     for (const Ball& ball : balls) {
         size += ball.r / static_cast<float>(balls.size());
     }
-    std::vector<cover::Slope> slopes, mean(balls.size());
+    std::vector<by_spheres::Slope> slopes, mean(balls.size());
     std::vector<float> square(balls.size(), 0);
     float mean_scale = 1, square_scale = 1, length = steps.first * size;
     const float ratio = std::pow(steps.last / steps.first, 1 / static_cast<float>(steps.count - 1));
@@ -42,7 +42,7 @@ Balls descend(const SymmetricDifference& difference, Balls balls, const Steps& s
         square_scale *= square_decay;
         for (std::size_t i = 0; i < balls.size(); ++i) {
             const auto blend = [&](float& m, float s) { m = mean_decay * m + (1 - mean_decay) * s; };
-            const cover::Slope& s = slopes[i];
+            const by_spheres::Slope& s = slopes[i];
             blend(mean[i].x, s.x);
             blend(mean[i].y, s.y);
             blend(mean[i].z, s.z);
@@ -82,9 +82,9 @@ public:
         Random random(1);
         std::vector<Balls> starts{start, difference_.filled({}, most)};
         constexpr int clusterings = 3;
-        const cover::Points inside = difference_.some_inside(std::max(some_points, 4 * most));
+        const by_spheres::Points inside = difference_.some_inside(std::max(some_points, 4 * most));
         for (int i = 0; i < clusterings && inside.size() > most; ++i) {
-            starts.push_back(cover::clusters(inside, most, random));
+            starts.push_back(by_spheres::clusters(inside, most, random));
             for (Ball& ball : starts.back()) {
                 ball.r *= 0.75f; // they contain their clusters: this is about the volume of the clusters
             }
@@ -140,10 +140,10 @@ int resolution(const Vec3& size, std::size_t count) {
 } // namespace
 
 std::vector<Sphere> fit(const Solid& solid, std::span<const Sphere> start, std::size_t most, Reach reach) {
-    const cover::Frame frame(solid.bounds());
+    const by_spheres::Frame frame(solid.bounds());
     const SymmetricDifference difference(
         solid, frame, resolution(solid.bounds().size(), reach == Reach::far ? most : start.size()), 96);
-    Balls balls = cover::unit_balls(start, frame);
+    Balls balls = by_spheres::unit_balls(start, frame);
     if (!(difference.volume() > 0) || balls.empty()) {
         return {start.begin(), start.end()};
     }

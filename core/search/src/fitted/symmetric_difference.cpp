@@ -2,20 +2,20 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/geometry/cell.hpp>
-#include <foam/geometry/union_volume.hpp>
+#include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace foam::inline search::fitted {
 
-using cover::Ball;
-using cover::Balls;
+using by_spheres::Ball;
+using by_spheres::Balls;
 
 /// Sets of directions that steps use in turn: one set sees what another misses.
 static constexpr std::size_t turns = 4;
 
-SymmetricDifference::SymmetricDifference(const Solid& solid, const cover::Frame& frame, int resolution,
+SymmetricDifference::SymmetricDifference(const Solid& solid, const by_spheres::Frame& frame, int resolution,
                                          std::size_t directions)
     : occupancy_(solid, frame, resolution) {
     const Vec3 half = solid.bounds().size() / frame.unit / 2;
@@ -35,12 +35,12 @@ SymmetricDifference::SymmetricDifference(const Solid& solid, const cover::Frame&
     }
     for (std::size_t turn = 0; turn < turns; ++turn) {
         check_cancelled();
-        directions_.push_back(cover::spread_directions(directions, turn));
+        directions_.push_back(by_spheres::spread_directions(directions, turn));
     }
 }
 
 double SymmetricDifference::of(const Balls& balls) const {
-    return exact_union_volume(cover::unit_spheres(balls)) + volume_ - 2 * shared_with(balls);
+    return exact_union_volume(by_spheres::unit_spheres(balls)) + volume_ - 2 * shared_with(balls);
 }
 
 double SymmetricDifference::shared_with(const Balls& balls) const {
@@ -60,22 +60,22 @@ double SymmetricDifference::shared_with(const Balls& balls) const {
     return volume;
 }
 
-void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vector<cover::Slope>& result) const {
-    const cover::Points& directions = directions_[turn % turns];
+void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vector<by_spheres::Slope>& result) const {
+    const by_spheres::Points& directions = directions_[turn % turns];
     result.assign(balls.size(), {});
-    cover::Exposed exposed;
+    by_spheres::Exposed exposed;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         check_cancelled();
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
-        result[i] = cover::slope_of(exposed, balls[i], directions,
+        result[i] = by_spheres::slope_of(exposed, balls[i], directions,
                                     [&](float x, float y, float z) { return 2 * occupancy_.outside(x, y, z) - 1; });
     }
 }
 
 Balls SymmetricDifference::filled(Balls balls, std::size_t most) const {
-    const cover::Points& inside = occupancy_.inside();
+    const by_spheres::Points& inside = occupancy_.inside();
     std::vector<float> room = occupancy_.depth();
     const auto take_away = [&](const Ball& ball) {
         for (std::size_t p = 0; p < inside.size(); ++p) {
@@ -98,10 +98,10 @@ Balls SymmetricDifference::filled(Balls balls, std::size_t most) const {
     return balls;
 }
 
-cover::Points SymmetricDifference::some_inside(std::size_t count) const {
-    const cover::Points& inside = occupancy_.inside();
+by_spheres::Points SymmetricDifference::some_inside(std::size_t count) const {
+    const by_spheres::Points& inside = occupancy_.inside();
     const std::size_t stride = std::max<std::size_t>(1, inside.size() / count);
-    cover::Points result;
+    by_spheres::Points result;
     for (std::size_t p = 0; p < inside.size(); p += stride) {
         result.add(inside.at(p));
     }
@@ -109,7 +109,7 @@ cover::Points SymmetricDifference::some_inside(std::size_t count) const {
 }
 
 std::vector<double> SymmetricDifference::uses(const Balls& balls) const {
-    const std::vector<Sphere> spheres = cover::unit_spheres(balls);
+    const std::vector<Sphere> spheres = by_spheres::unit_spheres(balls);
     std::vector<double> result(balls.size(), 0);
     CancellationCounter asking(1024);
     for (std::size_t p = 0; p < cells_.size(); ++p) {

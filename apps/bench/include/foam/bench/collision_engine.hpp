@@ -21,7 +21,7 @@ inline namespace [[gnu::visibility("default")]] bench {
 /// A solid in the frame of its body; metres. A mesh is in the frame of the shape.
 struct EngineShape {
     Pose pose;
-    std::variant<Primitive, std::shared_ptr<const Mesh>> geometry;
+    std::variant<Element, std::shared_ptr<const Mesh>> geometry;
     bool convex = false; ///< whether a mesh is the surface of a convex solid, which libraries take as one where they can
 };
 
@@ -36,7 +36,7 @@ struct EngineRobot {
 /// A box or a sphere, in the frame of the robot's root.
 struct Obstacle {
     Pose pose;
-    Primitive shape;
+    Element shape;
 };
 
 /// A robot and obstacles in a collision library.

@@ -1,4 +1,4 @@
-// Numbers and words in texts, the same in every locale.
+// Text for people: numbers, names, lengths; and text in HTML and XML.
 #pragma once
 
 #include <optional>
@@ -35,6 +35,13 @@ std::size_t shown_width(std::string_view text);
 std::size_t edit_distance(std::string_view a, std::string_view b);
 /// Returns the candidate nearest to `word` if it is near enough to be a typing error; else empty.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+
+/// Returns the text with &, <, > and " as entities, for elements and attributes in double quotes.
+std::string markup_escaped(std::string_view text);
+/// Returns the same for an attribute whose line ends and tabs are kept: parsers turn them into spaces (XML 1.0, 3.3.3).
+std::string attribute_escaped(std::string_view text);
+/// Returns the bytes as text (RFC 4648), for data within a page.
+std::string base64(std::string_view bytes);
 
 } // namespace base
 } // namespace foam

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/collision/self_collision.hpp>
-#include <foam/robot/group_states.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <string>
 #include <vector>

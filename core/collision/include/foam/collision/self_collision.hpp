@@ -4,8 +4,8 @@
 
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
-#include <foam/robot/facts.hpp>
 #include <foam/robot/kinematics.hpp>
+#include <foam/robot/robot.hpp>
 
 #include <atomic>
 #include <cstdint>

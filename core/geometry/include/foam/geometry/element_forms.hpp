@@ -3,7 +3,6 @@
 #pragma once
 
 #include <foam/geometry/element.hpp>
-#include <foam/geometry/primitive.hpp>
 
 #include <vector>
 
@@ -18,9 +17,6 @@ Element stated_at(Element element, const Pose& pose);
 /// overlaps the spheres by 1e-5 of the radius, so that a proof finds no seam; its edges lie at most 1e-10 of the radius
 /// outside the capsule. Precondition: a capsule.
 std::vector<Element> capsule_parts(const Element& capsule);
-
-/// Returns the element that is the primitive at a pose.
-Element element_of(const Primitive& primitive, const Pose& pose);
 
 /// Returns a convex polytope with few vertices that contains the element, for readers that know no such kind, in the
 /// link's frame. Round parts are circumscribed with `segments` around a circle, a multiple of 4.

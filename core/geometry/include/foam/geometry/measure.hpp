@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foam {
@@ -88,6 +89,21 @@ Elements grown_to_cover(const Solid& solid, Elements elements);
 /// Returns the same of spheres. Centres stay. Of the spheres that could close a gap, the one grows that adds least excess volume.
 /// Then grown spheres shrink as far as the others allow.
 std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spheres);
+
+using NamedFigure = std::pair<const char*, std::variant<std::size_t, double, bool>>;
+
+/// Returns the figures of a link or of the whole under their names, which end in the unit; ratios have none. A figure
+/// that is infinite is null in JSON.
+std::vector<NamedFigure> named_figures(const Measures& measures);
+
+/// Returns a JSON object, of a class such as nlohmann's, of named_figures().
+template <class Json> Json json_of_measures(const Measures& measures) {
+    Json json = Json::object();
+    for (const auto& [name, value] : named_figures(measures)) {
+        std::visit([&json, key = name](const auto& figure) { json[key] = figure; }, value);
+    }
+    return json;
+}
 
 } // namespace geometry
 } // namespace foam

@@ -1,4 +1,4 @@
-// What covering spheres are to minimise.
+// What covering elements are to minimise.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,12 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
 
-/// The objective of a search for covering spheres; over increasing counts it never becomes worse.
+/// The objective of a search for covering elements; over increasing counts it never becomes worse.
 enum class Objective {
-    excess,     ///< least excess volume
-    protrusion, ///< least maximum protrusion: the same loss of clearance everywhere
-    radius,     ///< smallest largest radius: equal spheres at best (the k-centre problem), for planners that want it
+    excess,          ///< least excess volume
+    protrusion,      ///< least maximum protrusion: the same loss of clearance everywhere
+    radius,          ///< smallest largest radius: equal spheres at best (the k-centre problem); for spheres alone
+    mean_protrusion, ///< least area-weighted mean protrusion
 };
 
 /// Returns the objective with the name above; nothing for any other word.

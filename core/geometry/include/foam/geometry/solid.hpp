@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/geometry/mesh.hpp>
-#include <foam/geometry/primitive.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/sphere.hpp>
 
 #include <cstdint>
@@ -32,7 +32,7 @@ public:
     /// A part: a mesh as is, or a primitive at a pose.
     struct Part {
         std::shared_ptr<const Mesh> mesh; ///< in the solid's frame; null for a primitive
-        std::optional<Primitive> primitive;
+        std::optional<Element> primitive;
         Pose pose; ///< of the primitive; ignored for a mesh
     };
 

@@ -1,14 +1,18 @@
-// Points, rigid transforms and boxes. Plain data: safe to pass between plugins built with different vector
-// instruction sets (no over-aligned types). Units: metres and radians.
+// Vectors, rotations, and directions over a sphere.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] geometry {
+
+// Points, rigid transforms and boxes. Plain data: safe to pass between plugins built with different vector
+// instruction sets (no over-aligned types). Units: metres and radians.
 
 /// A point or direction in 3-space.
 struct Vec3 {
@@ -113,6 +117,22 @@ struct Box {
         }
     }
 };
+
+/// Returns the unit quaternion (w, x, y, z) of a rotation (Shepperd 1978), with w >= 0.
+std::array<double, 4> quaternion(const Pose& pose);
+/// Returns the pose of a quaternion (w, x, y, z), which is made a unit one first, as most programs do.
+/// Precondition: it is finite and not 0.
+Pose from_quaternion(const Vec3& translation, const std::array<double, 4>& wxyz);
+/// Returns roll, pitch and yaw of a rotation by the URDF convention (Pose::from_xyz_rpy), exact to rounding also where
+/// the pitch is a right angle.
+Vec3 roll_pitch_yaw(const Pose& pose);
+/// Returns such angles with few decimals if they give exactly this rotation, as those of a rotation that was made from
+/// rounded angles; else those of roll_pitch_yaw().
+Vec3 short_roll_pitch_yaw(const Pose& pose);
+
+/// Returns `count` unit vectors on the Fibonacci lattice, each for the same share of the sphere (González 2010, with
+/// the offset of one half at the poles).
+std::vector<Vec3> fibonacci_directions(std::size_t count);
 
 } // namespace geometry
 } // namespace foam

@@ -1,10 +1,9 @@
 // Figures, proofs and pairs of links as JSON objects, of a class such as nlohmann's.
 #pragma once
 
-#include <foam/geometry/measure_names.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/judge/collision_model.hpp>
 #include <foam/judge/evaluate.hpp>
-#include <foam/judge/poses.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <cmath>

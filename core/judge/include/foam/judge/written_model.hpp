@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/judge/evaluate.hpp>
-#include <foam/robot/group_states.hpp>
+#include <foam/robot/robot.hpp>
 #include <foam/sdk/stage.hpp>
 
 #include <atomic>

@@ -5,7 +5,6 @@
 #include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/recipe/mesh_unit.hpp>
-#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>

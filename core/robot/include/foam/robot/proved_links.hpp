@@ -2,7 +2,6 @@
 #pragma once
 
 #include <foam/geometry/sphere.hpp>
-#include <foam/robot/covered_geometry.hpp>
 #include <foam/robot/robot.hpp>
 
 #include <cmath>

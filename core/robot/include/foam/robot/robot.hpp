@@ -1,7 +1,7 @@
 // The robot in words of no format: links, joints, geometry, and what writers ask for. A loader fills all of it.
 #pragma once
 
-#include <foam/geometry/primitive.hpp>
+#include <foam/geometry/element.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <array>
@@ -23,7 +23,7 @@ struct MeshReference {
     Vec3 scale{1, 1, 1};        ///< applied to the mesh before the origin
 };
 
-using Geometry = std::variant<Primitive, MeshReference>;
+using Geometry = std::variant<Element, MeshReference>;
 
 /// What a surface looks like. A name that the file explains elsewhere is resolved.
 struct Material {
@@ -103,6 +103,48 @@ using JointValues = std::map<std::string, double>;
 /// out. Given values are used unchanged; planar, floating and fixed joints stay at their origin. Throws Error(usage)
 /// for a value of a joint that the robot does not have.
 std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& values = {});
+
+enum class CoveredGeometry { collision, visual, both };
+
+/// Returns the words in recipes and options, in the order of the enumeration: collision, visual, both.
+const std::vector<std::string>& words_of_covered_geometry();
+/// Returns "collision geometry", "visual geometry" or "collision and visual geometry".
+const char* to_string(CoveredGeometry geometry);
+
+/// Returns the robot with the geometry to be covered in place of its collision geometry. An element that is both
+/// collision and visual geometry occurs once. The source text stays as it is.
+Robot with_covered_geometry(Robot robot, CoveredGeometry geometry);
+
+/// Returns the names of the links that have collision geometry, but none of the kind to be covered.
+std::vector<std::string> uncovered_links(const Robot& robot, CoveredGeometry geometry);
+
+/// What formats state of a robot beyond its URDF: keys of a recipe's `robot`, the same for all writers.
+struct RobotFacts {
+    std::string base_link;                ///< empty: the root link
+    std::vector<std::string> tool_frames; ///< links
+    JointValues lock_joints;              ///< joints that a planner is to hold, and their positions; rad or m
+    JointValues default_pose;             ///< rad or m; joints that are not named: zero, moved into the limits
+    std::optional<double> acceleration;   ///< of every joint, rad/s² or m/s²
+    std::optional<double> jerk;           ///< of every joint, rad/s³ or m/s³
+
+    bool operator==(const RobotFacts&) const = default;
+};
+
+/// Two links that are left out of self-collision checks.
+struct IgnoredPair {
+    std::string first, second;
+    std::string reason; ///< in the words of SRDFs: "Adjacent", "Never", …; may be empty
+};
+
+/// A pose with a name, of some joints of a robot: a <group_state>, or a <key>.
+struct GroupState {
+    std::string name;
+    JointValues values; ///< rad or m
+};
+
+/// Returns the <group_state> elements of an SRDF, or the keyframes of an MJCF, in their order, without joints of several
+/// freedoms; nothing for a text of another format. Throws Error(input) naming file and line for a joint without a name or a position.
+std::vector<GroupState> group_states(const std::string& text, const std::string& file);
 
 } // namespace robot
 } // namespace foam

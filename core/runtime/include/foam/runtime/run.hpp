@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/geometry/clip_plane.hpp>
-#include <foam/geometry/mesh_change.hpp>
+#include <foam/geometry/mesh_checks.hpp>
 #include <foam/recipe/recipe.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/sdk/context.hpp>
@@ -82,8 +82,8 @@ struct RunOptions {
     /// Called with all files that the run reads once they are known: the recipe and those that it extends, the robot or
     /// mesh, its meshes and visuals, the files that outputs edit, plugins; an exception from it ends the run.
     std::function<void(const std::vector<std::filesystem::path>& files)> inputs_known;
-    /// What the run works on, in place of the input that the recipe names: none of its files is read again, whatever
-    /// has become of them. The recipe's unit, package_path and loaders do not count for it. Null: the recipe's input.
+    /// What the run works on, in place of the input that the recipe names: none of its files is read again, whatever has
+    /// become of them. The recipe's unit, package_path and loaders do not count for it. Null: the recipe's input.
     std::shared_ptr<const LoadedInput> input{};
     /// The name that the content of the recipe's URDF goes by: relative references lead from its folder. It need not
     /// exist; empty: the file's own.

@@ -1,7 +1,7 @@
 // The summary of a run as a JSON object, of a class such as nlohmann's.
 #pragma once
 
-#include <foam/geometry/measure_names.hpp>
+#include <foam/geometry/measure.hpp>
 #include <foam/runtime/run.hpp>
 
 #include <algorithm>

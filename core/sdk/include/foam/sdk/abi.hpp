@@ -8,8 +8,8 @@
 
 /// The ABI epoch. It is raised whenever the layout or meaning of a public type changes. Within an unreleased epoch,
 /// FOAM_ABI_LAYOUT tells its states apart. Reasons:
-///  1  first release
-///  2  elements of other kinds than sphere: an approximation may hold capsules, cylinders, boxes, swept boxes and hulls
+///  1  spheres alone: commits before the first release
+///  2  first release: an approximation holds elements of any kind, and primitives of a robot are elements
 #define FOAM_ABI_EPOCH 2
 
 #define FOAM_ABI_TEXT_(x) #x

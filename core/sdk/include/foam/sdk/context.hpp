@@ -5,8 +5,10 @@
 #include <foam/geometry/mesh.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] sdk {
@@ -48,6 +50,20 @@ public:
 
 private:
     std::uint64_t seed_;
+};
+
+/// A base class of mesh loaders that know the colours of triangles, beside MeshLoader.
+class MeshColours {
+public:
+    virtual ~MeshColours();
+    MeshColours(const MeshColours&) = delete;
+    MeshColours& operator=(const MeshColours&) = delete;
+    /// Returns a colour 0xRRGGBBAA for each triangle of load(), in its order; 0 where the file has none, or only a
+    /// texture. Empty: the file has no colours. Throws as load() does.
+    virtual std::vector<std::uint32_t> colours(const std::filesystem::path& file, Context& context) const = 0;
+
+protected:
+    MeshColours();
 };
 
 } // namespace sdk

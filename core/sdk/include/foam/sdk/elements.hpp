@@ -19,8 +19,6 @@ std::vector<LinkSpheres> elements_by_link(const SphereModel& model, int level = 
 
 /// Returns the link of a file; adds it at the end if it is missing.
 LinkSpheres& link_of(SphereFile& file, const std::string& link);
-/// Returns all kinds, for StageInfo::kinds.
-std::vector<Element::Kind> every_kind();
 /// Returns the elements of a file by link, as Writer::read() does.
 std::map<std::string, Elements> elements_of(SphereFile file);
 
@@ -30,12 +28,14 @@ std::string with_provenance(std::string text, const SphereModel& model);
 
 /// The words of a format that does not know all kinds. What it does not know becomes other elements, which contain it.
 struct KnownKinds {
-    bool capsules = true; ///< else a cylinder and two spheres each
+    bool capsules = true;    ///< else a cylinder and two spheres each
+    bool ellipsoids = false; ///< else a hull each
     /// Whether meshes are rounded to single precision, as most programs read them: hulls become float32_hull().
     bool float32_hulls = true;
-    int segments = 8; ///< around a circle, where a swept box becomes a hull
+    int segments = 8; ///< around a circle, where a swept box or an ellipsoid becomes a hull
 };
-/// Returns the links with elements that the format knows: spheres, capsules, cylinders, boxes and hulls.
+/// Returns the links with elements that the format knows: spheres, capsules, cylinders, boxes, hulls, and ellipsoids if
+/// it knows them.
 std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const KnownKinds& known = {});
 
 /// The parameter of writers for KnownKinds::segments.
@@ -45,7 +45,7 @@ int segments_of(const Parameters& parameters, std::string_view writer);
 
 /// Numbers of an element by name, for formats that state an element in full: "position" (3), "rotation" (9, row-major;
 /// absent: none), "length" (1: capsules and cylinders along z, without caps), "size" (3: edges of the box), "radius"
-/// (1), "vertices" (3 each).
+/// (1), "radii" (3: half axes), "vertices" (3 each).
 using ElementNumbers = std::vector<std::pair<std::string, std::vector<double>>>;
 ElementNumbers numbers_of(const Element& element);
 /// Returns the element. Throws Error(input) for names that are missing or that the kind does not have, other counts,

@@ -23,6 +23,8 @@ std::string noun_of(Element::Kind kind, std::size_t count);
 std::string counts_text(const KindCounts& counts);
 /// Returns "spheres", "capsules and boxes".
 std::string words_of(const std::vector<Element::Kind>& kinds);
+/// Returns the words of all kinds: "sphere", "capsule", …
+std::vector<std::string> kind_words();
 /// Returns the kinds that the words name, in the order of Element::Kind, each once. Throws Error(usage) for another
 /// word. `where`: what the words stand in, for the message: "--with".
 std::vector<Element::Kind> kinds_named(const std::vector<std::string>& words, std::string_view where);

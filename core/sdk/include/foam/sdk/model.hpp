@@ -3,7 +3,6 @@
 
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/sphere.hpp>
-#include <foam/robot/facts.hpp>
 #include <foam/robot/proved_links.hpp>
 #include <foam/robot/robot.hpp>
 

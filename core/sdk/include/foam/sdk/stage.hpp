@@ -73,8 +73,10 @@ public:
 
 /// What a check of an element costs in a consumer, by kind, relative to each other.
 struct ElementCost {
-    std::array<double, element_kinds> of_kind{1, 2, 4, 4, 6, 0}; ///< by Element::Kind
-    double of_hull_vertex = 0.1;                                 ///< added for each vertex of a hull
+    static constexpr auto usual = std::to_array<double>({1, 2, 4, 4, 6, 0, 8});
+    static_assert(usual.size() == element_kinds);
+    std::array<double, element_kinds> of_kind = usual; ///< by Element::Kind
+    double of_hull_vertex = 0.1;                       ///< added for each vertex of a hull
 
     bool operator==(const ElementCost&) const = default;
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <foam/geometry/element.hpp>
-#include <foam/search/spherize.hpp>
+#include <foam/search/cover.hpp>
 
 #include <cstddef>
 #include <span>

@@ -22,7 +22,7 @@ public:
 
     /// Returns the result of foam::spherize(), and throws as it does. A cover whose search `options.stop` ended is not
     /// kept.
-    std::shared_ptr<const Cover> spherize(const Mesh& mesh, std::size_t count, const SpherizeOptions& options = {});
+    std::shared_ptr<const SphereCover> spherize(const Mesh& mesh, std::size_t count, const CoverOptions& options = {});
 
     struct Use {
         std::size_t covers = 0; ///< in the cache now

@@ -1,4 +1,4 @@
-// The scene of a page: what is drawn, as JSON with binary arrays behind it.
+// The scene that is shown, and the page with it.
 #pragma once
 
 #include <foam/view/subject.hpp>
@@ -69,6 +69,17 @@ std::string scene_bytes(const Subject& subject, const std::vector<SceneModel>& m
 
 /// Returns the meshes that are coarse in the scene, in its form: {"meshes": [mesh or null, …]} in the scene's order.
 std::string fine_mesh_bytes(const Subject& subject);
+
+/// Returns one HTML file that needs no other: it shows the models, and edits nothing. Its security policy lets browsers
+/// run only foam's own script.
+std::string static_page(const Subject& subject, const std::vector<SceneModel>& models);
+
+/// A file that the server of a session offers: text and kind.
+struct PageFile {
+    std::string content, type;
+};
+/// Returns "", "view.css" or "view.js" of the served page; throws Error(internal) for another name.
+PageFile served_file(const std::string& name);
 
 } // namespace view
 } // namespace foam

@@ -1,16 +1,20 @@
-// The current work of each thread, where the handler of a crash can read it.
-//
-// This is the exception to "no globals": a signal handler can access only objects of static storage.
+// The threads that foam works with: how many, and what each does now.
 #pragma once
 
 #include <foam/base/cancellation.hpp>
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] base {
+
+// The current work of each thread, where the handler of a crash can read it.
+//
+// This is the exception to "no globals": a signal handler can access only objects of static storage.
 
 /// The remedy for a crash, which depends on whose code runs.
 enum class CrashRemedy { isolate_stage, remove_plugin };
@@ -70,6 +74,16 @@ const Activity* active(std::size_t i);
 /// Gives every thread that works on something its own stack for signal handlers from now on: without it a stack
 /// overflow could not be reported.
 void provide_signal_stacks();
+
+/// Calls `body`, whose loops use at most so many threads; 0: as many as there are. Other calls at the same time are
+/// not limited by it.
+void on_threads(std::size_t threads, const std::function<void()>& body);
+
+/// Calls `body`. A thread that waits for a loop within it starts no task of a loop outside it.
+void isolated(const std::function<void()>& body);
+
+/// The version of oneTBB; empty without it.
+std::string onetbb_version();
 
 } // namespace base
 } // namespace foam

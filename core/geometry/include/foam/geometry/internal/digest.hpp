@@ -5,7 +5,6 @@
 #include <foam/geometry/element.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/mesh.hpp>
-#include <foam/geometry/primitive.hpp>
 #include <foam/geometry/sphere.hpp>
 
 namespace foam {
@@ -14,7 +13,8 @@ inline namespace [[gnu::visibility("default")]] geometry {
 void add_to(Hasher& hasher, const Vec3& v);
 void add_to(Hasher& hasher, const Pose& pose);
 void add_to(Hasher& hasher, const Mesh& mesh);
-void add_to(Hasher& hasher, const Primitive& primitive);
+/// Adds a primitive in its own frame.
+void add_primitive(Hasher& hasher, const Element& primitive);
 void add_to(Hasher& hasher, const Element& element);
 void add_to(Hasher& hasher, const SphereTree& tree);
 void add_to(Hasher& hasher, const Measures& m);

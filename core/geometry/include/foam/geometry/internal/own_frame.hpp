@@ -4,6 +4,7 @@
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
+#include <foam/geometry/vector.hpp>
 
 #include <memory>
 #include <string>
@@ -56,6 +57,16 @@ bool may_have_dust(const Mesh& mesh);
 OwnFrame own_frame(const Box& box, bool dusty);
 OwnFrame own_frame(const Mesh& mesh);
 OwnFrame own_frame(const Solid& solid);
+
+/// Returns the axis-aligned box around the corners of a box at a pose.
+inline Box posed(const Box& box, const Pose& pose) {
+    Box result;
+    for (int corner = 0; corner < 8; ++corner) {
+        result.add(pose * Vec3{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
+                               corner & 4 ? box.low.z : box.high.z});
+    }
+    return result;
+}
 
 } // namespace geometry
 } // namespace foam

@@ -1,8 +1,7 @@
 // The check of a tree of values, part by part, which makes a Recipe. Each function reads one key and adds findings.
 #pragma once
 
-#include <foam/recipe/internal/edit.hpp>
-#include <foam/recipe/internal/typed.hpp>
+#include <foam/recipe/internal/yaml.hpp>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] recipe {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <foam/recipe/recipe.hpp>
+#include <foam/yaml/value.hpp>
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace foam {
@@ -64,6 +67,18 @@ std::optional<ParameterValue> value_of(std::string_view name, const Keys& keys, 
     }
     return {};
 }
+
+struct FactKey {
+    std::string name, doc, unit;
+    std::variant<std::string RobotFacts::*, std::vector<std::string> RobotFacts::*, JointValues RobotFacts::*,
+                 std::optional<double> RobotFacts::*>
+        member;
+};
+
+const std::vector<FactKey>& fact_keys();
+
+/// Returns the facts that are given, as values.
+yaml::Value given_facts(const RobotFacts& facts);
 
 } // namespace reading
 } // namespace recipe

@@ -1,9 +1,12 @@
 // Results of stages on disk, found by the digest of their inputs. The files may be deleted at any time.
 #pragma once
 
+#include <foam/base/internal/digest.hpp>
+#include <foam/geometry/internal/digest.hpp>
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/sphere.hpp>
-#include <foam/runtime/internal/digest.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/robot/robot.hpp>
 #include <foam/runtime/internal/journal.hpp>
 
 #include <atomic>
@@ -12,6 +15,12 @@
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
+
+/// Adds links, their collision elements and joints; not the places of files, nor visual geometry.
+void add_to(Hasher& hasher, const Robot& robot);
+/// Adds what determines the effect of a stage: its name, its build and that of foam's libraries, its revision, and all
+/// parameters that affect its output, defaults included.
+void add_call(Hasher& hasher, const StageCall& call, const Registry& registry);
 
 template <class T> struct Cached {
     T result;

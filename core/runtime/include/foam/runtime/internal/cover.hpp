@@ -1,15 +1,61 @@
-// Makes spheres of a spherizer keep the guarantee, and gives them the numbers that are written.
+// Elements that cover a shape, on a decimal grid.
 #pragma once
 
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
+#include <foam/geometry/vector.hpp>
 #include <foam/recipe/recipe.hpp>
+#include <foam/runtime/shown_elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 namespace foam {
 inline namespace [[gnu::visibility("default")]] runtime {
+
+/// Returns the approximation in another frame; `pose`: of its frame in that one.
+Approximation moved(Approximation approximation, const Pose& pose);
+/// Returns the elements as a program holds them that reads its numbers in single precision. Hulls are made again from their
+/// rounded vertices. Throws Error(geometry) where these lie in a plane.
+Elements in_single_precision(Elements elements);
+
+/// A grid of decimal fractions with step 10^-digits. Its points have a short text and read back to the same bits.
+class DecimalGrid {
+public:
+    /// Chooses a step of about a millionth of `size`.
+    explicit DecimalGrid(double size) {
+        const int exponent = size > 0 ? static_cast<int>(std::floor(std::log10(size))) - 6 : -9;
+        // Powers of ten up to 10^22 are exact doubles; a part smaller than 10^-15 m keeps its digits.
+        scale_ = exponent < -22 || exponent > 0 ? 0 : std::pow(10.0, -exponent);
+    }
+    /// Returns the distance of neighbouring points along an axis, m; 0: all numbers are points.
+    double step() const { return scale_ == 0 ? 0 : 1 / scale_; }
+    double nearest(double value) const { return scale_ == 0 ? value : std::round(value * scale_) / scale_ + 0.0; }
+    Vec3 nearest(const Vec3& v) const { return {nearest(v.x), nearest(v.y), nearest(v.z)}; }
+    double up(double value) const {
+        if (scale_ == 0) {
+            return value;
+        }
+        double rounded = std::ceil(value * scale_) / scale_;
+        while (rounded < value) {
+            rounded = (std::round(rounded * scale_) + 1) / scale_;
+        }
+        return rounded;
+    }
+    /// Returns for a nonnegative value a grid value that is not above it; 0 below the grid's step.
+    double down(double value) const {
+        if (scale_ == 0) {
+            return value;
+        }
+        const double steps = std::floor(value * scale_);
+        return steps / scale_ <= value ? steps / scale_ : (steps - 1) / scale_;
+    }
+
+private:
+    double scale_ = 0;
+};
 
 /// Returns the volume that the guarantee aims to minimise, once it is kept, m³. Outer: excess volume of the grown
 /// spheres. Inner: missing volume of the shrunk spheres. Fitted: symmetric difference. Missing volume is sampled along

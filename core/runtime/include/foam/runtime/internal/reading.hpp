@@ -51,10 +51,10 @@ struct LoadedInput {
     std::filesystem::path file; ///< that was read
     /// As it stands in the file; for a single mesh a robot with one link.
     std::shared_ptr<const Robot> robot;
-    Digest digest;                    ///< of the file
-    std::size_t bytes = 0;            ///< of the file
-    StageReport report;               ///< of the loader; its stage is empty for a single mesh
-    StageLog said;                    ///< by the loader
+    Digest digest;         ///< of the file
+    std::size_t bytes = 0; ///< of the file
+    StageReport report;    ///< of the loader; its stage is empty for a single mesh
+    StageLog said;         ///< by the loader
     std::vector<LoadedMesh> meshes{}; ///< those that were kept; others are read when they are needed
 };
 
@@ -68,7 +68,7 @@ struct CollisionElement {
     Digest digest;                                     ///< of raw geometry and filters, without the pose
 
     const std::shared_ptr<const Mesh>& processed() const { return filtered.empty() ? raw : filtered.back(); }
-    const Primitive* primitive() const { return std::get_if<Primitive>(&source->geometry); }
+    const Element* primitive() const { return std::get_if<Element>(&source->geometry); }
 };
 
 /// A link with collision geometry and its meshes.

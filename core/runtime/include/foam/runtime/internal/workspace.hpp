@@ -5,7 +5,6 @@
 #include <foam/base/internal/activity.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/runtime/internal/cache.hpp>
-#include <foam/runtime/internal/digest.hpp>
 #include <foam/runtime/internal/journal.hpp>
 #include <foam/runtime/internal/limits.hpp>
 #include <foam/runtime/run.hpp>

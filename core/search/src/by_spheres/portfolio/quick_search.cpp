@@ -1,0 +1,248 @@
+#include "by_spheres/portfolio/quick_search.hpp"
+
+#include "by_spheres/measured/missing_volume.hpp"
+#include "by_spheres/measured/points.hpp"
+#include "by_spheres/portfolio/many_search.hpp"
+#include "by_spheres/portfolio/problem.hpp"
+#include "by_spheres/starts/starts.hpp"
+
+#include <foam/base/cancellation.hpp>
+#include <foam/base/parallel.hpp>
+#include <foam/geometry/volumes.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace foam::inline search::by_spheres {
+namespace {
+
+/// Number of balls above which they may leave a cavity in a solid.
+constexpr std::size_t few_balls = 16;
+constexpr int cells = 32; ///< along the longest extent of a solid, to separate inside and outside
+constexpr QuickDescentPlan first_plan{.steps = 40, .first_step = 0.04f, .last_step = 0.003f, .refresh = 1000};
+/// The refinement after the first estimates. With fewer balls, starts are nearer to the optimum, and it helps to refine
+/// more of them.
+struct SecondPlan {
+    std::size_t most_balls, kept_starts;
+    QuickDescentPlan descent;
+};
+constexpr std::array<SecondPlan, 3> second_plans{{
+    {6, 4, {.steps = 72, .first_step = 0.08f, .last_step = 0.003f, .refresh = 12}},
+    {few_balls, 2, {.steps = 72, .first_step = 0.16f, .last_step = 0.003f, .refresh = 12}},
+    {SIZE_MAX, 1, {.steps = 160, .first_step = 0.25f, .last_step = 0.003f, .refresh = 12}},
+}};
+const SecondPlan& second_plan_for(std::size_t count) {
+    return *std::find_if(second_plans.begin(), second_plans.end(),
+                         [&](const SecondPlan& plan) { return count <= plan.most_balls; });
+}
+constexpr int last_fits = 6;
+constexpr std::size_t most_in_a_row = 6; ///< cells of a grid
+
+const Points& directions_of_fits() {
+    static const Points directions = spread_directions(256, 0);
+    return directions;
+}
+
+/// Returns points that represent a solid: on its surface and as many inside it.
+Points body_of(const Points& surface, const Occupancy& occupancy) {
+    const Points& inside = occupancy.inside();
+    const std::size_t stride = 1 + inside.size() / surface.size();
+    Points body = surface;
+    for (std::size_t k = 0; k < inside.size(); k += stride) {
+        body.add(inside, k);
+    }
+    return body;
+}
+
+/// Returns vol(U \ S) + vol(S), units³; without occupancy the missing volume is taken as zero.
+double claim(const Balls& balls, const Occupancy* occupancy) {
+    return exact_union_volume(unit_spheres(balls)) + (occupancy ? missing_volume(*occupancy, balls) : 0);
+}
+
+} // namespace
+
+QuickSearch::QuickSearch(const Solid& solid, const CoverOptions& options)
+    : solid_(solid), options_(options), frame_(solid.bounds()) {}
+
+SphereCover QuickSearch::alone(std::size_t count) {
+    stopped_ = false;
+    return proved(solid_, frame_, found(count, nullptr).front().balls);
+}
+
+QuickSearch::Rung QuickSearch::rung(std::size_t count) {
+    if (const auto known = rungs_.find(count); known != rungs_.end()) {
+        return known->second;
+    }
+    if (count == 1) {
+        const Balls one{smallest_ball(solid_, frame_)};
+        return rungs_.emplace(1, Rung{one, proved(solid_, frame_, one)}).first->second;
+    }
+    Rung best = rung(quick_count_before(count));
+    if (stopped()) {
+        return best;
+    }
+    CoverCandidate next = found(count, &best.balls).front();
+    const bool complete = !stopped_;
+    SphereCover made = proved(solid_, frame_, next.balls);
+    if (geometry::joint_volume(solid_, made.spheres) < geometry::joint_volume(solid_, best.cover.spheres)) {
+        best = {std::move(next.balls), std::move(made)};
+    }
+    if (complete) {
+        rungs_.emplace(count, best);
+    }
+    return best;
+}
+
+const DescentSurface& QuickSearch::surface_for(std::size_t count) {
+    const std::size_t pieces = DescentSurface::pieces_for(count);
+    if (pieces != pieces_) {
+        surface_ = std::make_unique<DescentSurface>(solid_, frame_, count);
+        pieces_ = pieces;
+    }
+    return *surface_;
+}
+
+const Occupancy* QuickSearch::occupancy_for(std::size_t count) {
+    if (count <= few_balls) {
+        return nullptr;
+    }
+    if (!occupancy_) {
+        occupancy_ = std::make_unique<Occupancy>(solid_, frame_, cells);
+    }
+    return occupancy_.get();
+}
+
+std::vector<CoverCandidate> QuickSearch::found(std::size_t count, const Balls* before) {
+    if (count == 1) {
+        return {{0, {smallest_ball(solid_, frame_)}}};
+    }
+    // An allocation asks for many counts: between those on which others build, the quicker search is enough.
+    const bool between = before && quick_count_before(count + 1) != count && count <= most_growing;
+    if (count > few_balls && !between) {
+        std::vector<CoverCandidate> result = many(count);
+        if (result.empty() && !stopped_) {
+            stopped_ = !completed_unless_stopped(options_.stop, [&] { result = found_quickly(count, before); });
+        }
+        if (!result.empty()) {
+            return result;
+        }
+        constexpr std::size_t most_at_once = 64; // these take milliseconds
+        count = std::min(count, most_at_once);
+    }
+    return found_quickly(count, before);
+}
+
+std::vector<CoverCandidate> QuickSearch::found_quickly(std::size_t count, const Balls* before) {
+    std::vector<Balls> begin = starts(surface_for(count), occupancy_for(count), count, before);
+    return refined_best(count, std::move(begin), second_plan_for(count).kept_starts);
+}
+
+std::vector<CoverCandidate> QuickSearch::refined_best(std::size_t count, std::vector<Balls> starts, std::size_t kept) {
+    const DescentSurface& surface = surface_for(count);
+    const Occupancy* const occupancy = occupancy_for(count);
+    if (stopped()) {
+        return {{0, PowerCells(surface.skin).fitted(starts.front(), directions_of_fits())}};
+    }
+    std::vector<CoverCandidate> looks(starts.size());
+    parallel_for(starts.size(),
+                 [&](std::size_t i) { looks[i] = first_look(surface, occupancy, std::move(starts[i])); });
+    std::stable_sort(looks.begin(), looks.end(), has_less_volume);
+    looks.resize(std::min(looks.size(), kept));
+    if (stopped()) {
+        return looks;
+    }
+    parallel_for(looks.size(), [&](std::size_t i) { looks[i] = refined(surface, occupancy, looks[i], count); });
+    std::stable_sort(looks.begin(), looks.end(), has_less_volume);
+    return looks;
+}
+
+std::vector<CoverCandidate> QuickSearch::many(std::size_t count) {
+    CoverOptions fast = options_;
+    fast.effort = Effort::fast;
+    bool needles = false;
+    const bool prepared = completed_unless_stopped(options_.stop, [&] {
+        needles = !surface_for(count).skin.fine;
+        if (!needles && (!problem_ || std::max(problem_count_, count) > ManySearch::same_problem)) {
+            problem_.emplace(ManySearch::problem_for(solid_, count, options_.seed));
+            problem_count_ = count;
+        }
+    });
+    ManySearch::Found found{{}, !prepared};
+    if (prepared && !needles) {
+        found = ManySearch(*problem_, count, fast).found(*surface_, options_.stop);
+    }
+    stopped_ = stopped_ || found.stopped;
+    std::vector<CoverCandidate> result;
+    for (Balls& balls : found.sets) {
+        const double volume = geometry::joint_volume(solid_, proved(solid_, frame_, balls).spheres);
+        result.push_back({volume, std::move(balls)});
+    }
+    std::stable_sort(result.begin(), result.end(), has_less_volume);
+    return result;
+}
+
+std::vector<CoverCandidate> QuickSearch::candidates(std::size_t count, const Balls& before) {
+    stopped_ = false;
+    return found(count, &before);
+}
+
+CoverCandidate QuickSearch::candidate(std::size_t count, const Balls& more) {
+    stopped_ = false;
+    std::vector<Balls> starts = grids(surface_for(count).some, count, most_in_a_row);
+    if (!more.empty()) {
+        starts.push_back(more);
+    }
+    return refined_best(count, std::move(starts), 1).front();
+}
+
+std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
+                                       const Balls* before) const {
+    const Points& some = surface.some;
+    std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
+    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
+    Random random(derive_seed(options_.seed, "quick starts") + count);
+    if (!occupancy) {
+        result.push_back(clusters(some, count, random));
+        return result;
+    }
+    const Points body = body_of(some, *occupancy);
+    for (int i = 0; i < 2; ++i) {
+        result.push_back(clusters(body, count, random));
+    }
+    return result;
+}
+
+CoverCandidate QuickSearch::first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const {
+    QuickDescent(directions_of_steps(), occupancy).run(balls, first_plan, [&](const Balls&, Points& points, float) {
+        points = surface.some;
+    });
+    CoverCandidate found{0, PowerCells(surface.skin).fitted(balls, directions_of_fits())};
+    found.volume = claim(found.balls, occupancy);
+    return found;
+}
+
+CoverCandidate QuickSearch::refined(const DescentSurface& surface, const Occupancy* occupancy,
+                                    const CoverCandidate& start, std::size_t count) const {
+    Balls balls = descended(surface, occupancy, start.balls, count, second_plan_for(count).descent);
+    PowerCells cells(surface.skin);
+    CoverCandidate best = start;
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < last_fits; ++i) {
+        check_cancelled();
+        constexpr double least_gain = 1e-4;
+        balls = cells.fitted(balls, directions_of_fits());
+        const double now = claim(balls, occupancy);
+        if (now < best.volume) {
+            best = {now, balls};
+        }
+        if (now > before * (1 - least_gain)) {
+            break;
+        }
+        before = now;
+    }
+    return best;
+}
+
+} // namespace foam::search::by_spheres

@@ -1,0 +1,78 @@
+// The one search behind all names: spheres alone have their own, every other choice of kinds another.
+#include "by_spheres/portfolio/searches.hpp"
+#include "convex/search.hpp"
+
+#include <foam/base/error.hpp>
+#include <foam/geometry/solid_of_balls.hpp>
+#include <foam/search/spherize.hpp>
+
+#include <algorithm>
+#include <variant>
+
+namespace foam::inline search {
+namespace {
+
+bool spheres_alone(const CoverOptions& options) {
+    return !options.kinds.empty() &&
+           std::all_of(options.kinds.begin(), options.kinds.end(),
+                       [](Element::Kind kind) { return kind == Element::Kind::sphere; }) &&
+           options.objective != Objective::mean_protrusion;
+}
+
+/// Throws Error(usage) for options that no search takes.
+void check(const CoverOptions& options) {
+    if (options.kinds.empty()) {
+        throw Error(ErrorCode::usage, "cover: there is no kind of element to use; remedy: name one or more");
+    }
+    if (options.objective == Objective::radius && !spheres_alone(options)) {
+        throw Error(ErrorCode::usage, "cover: only spheres are searched for the least largest radius; remedy: spheres "
+                                      "alone, or another objective");
+    }
+}
+
+} // namespace
+
+struct CoverSearch::Data {
+    std::variant<std::monostate, by_spheres::SolidSearch, convex::Search> search;
+};
+
+CoverSearch::CoverSearch(const Solid& solid, const CoverOptions& options) : data_(std::make_unique<Data>()) {
+    check(options);
+    if (spheres_alone(options)) {
+        data_->search.emplace<by_spheres::SolidSearch>(solid, options);
+    } else {
+        data_->search.emplace<convex::Search>(solid, options);
+    }
+}
+
+CoverSearch::~CoverSearch() = default;
+
+Cover CoverSearch::cover(std::size_t count) {
+    if (count == 0) {
+        throw Error(ErrorCode::usage,
+                    "a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
+    }
+    if (auto* const spheres = std::get_if<by_spheres::SolidSearch>(&data_->search)) {
+        SphereCover found = spheres->cover(count);
+        return {std::move(found.spheres), found.certificate, found.volume};
+    }
+    return std::get<convex::Search>(data_->search).cover(count);
+}
+
+Cover cover(const Solid& solid, std::size_t count, const CoverOptions& options) {
+    if (count > 0 && spheres_alone(options)) { // with effort fast: for this count alone
+        SphereCover found = spherize(solid, count, options);
+        return {std::move(found.spheres), found.certificate, found.volume};
+    }
+    return CoverSearch(solid, options).cover(count);
+}
+
+Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options) {
+    return cover(*Solid::make(mesh), count, options);
+}
+
+Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options) {
+    return cover(*solid_of_balls(balls), count, options);
+}
+
+} // namespace foam::inline search
