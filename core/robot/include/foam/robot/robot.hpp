@@ -84,8 +84,11 @@ struct Robot {
     std::string root;           ///< name of the root link
     std::vector<Link> links;    ///< in the order of the source
     std::vector<Joint> joints;  ///< in the order of the source
-    std::filesystem::path file; ///< where it was read from; empty where only the names of links are known
-    std::string source;         ///< the text of a URDF, unchanged, for write.urdf, which edits it; nobody else reads it
+    /// What it was read from: relative references lead from its folder. It need not exist; empty: none.
+    std::filesystem::path file;
+    /// The text of the URDF that it was read from, unchanged, for write.urdf, which edits it; empty: write.urdf composes
+    /// one. Nobody else reads it.
+    std::string source;
 
     /// Returns the link; nullptr if no link has that name.
     const Link* find_link(const std::string& link) const;
