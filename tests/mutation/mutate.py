@@ -23,9 +23,9 @@ BUILD = Path(os.environ.get("FOAM_MUTATION_BUILD", ROOT / "build" / "mutation"))
 CORE, TESTS = ROOT / "core", ROOT / "tests"
 
 SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certificate_test", "evaluate/certificate_adversary_test"]
-GROWN = ["geometry/growth_test"]
+GROWN = ["geometry/growth_steps_test", "geometry/growth_test"]
 MEASURED = ["geometry/volume_test", "geometry/measure_test"]
-INNER = ["geometry/inner_test"]
+INNER = ["geometry/rim_test", "geometry/inner_test"]
 ELEMENTS = ["evaluate/element_adversary_test", "geometry/element_certificate_test"]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
@@ -42,21 +42,21 @@ BELONG = {
     "geometry/src/measure/measure_volume.cpp": MEASURED,
     "geometry/src/measure/exact_union_volume.cpp": MEASURED,
     "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
-    "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
+    "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
     "geometry/src/proof/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
     "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
     "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
-    "geometry/src/proof/element_grown.cpp": ["geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/proof/element_grown.cpp": ["geometry/faces_moved_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/proof/element_enlarged.cpp": ["geometry/element_enlarged_test"] + ELEMENTS,
     "geometry/src/mesh/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
     "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test"],
     "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
     "geometry/src/hull/quickhull.cpp": ["geometry/quickhull_test", "geometry/convex_hull_test"],
     "geometry/src/hull/farthest.cpp": ["geometry/convex_hull_test"],
-    "robot/src/chain.cpp": ["kinematics/chain_test", "self_collision/proof_test", "self_collision/matrix_test"],
+    "robot/src/chain.cpp": ["kinematics/chain_test", "self_collision/touching_proof_test", "self_collision/proof_test", "self_collision/matrix_test"],
     "robot/src/proved_links.cpp": ["evaluate/statement_test"],
-    "collision/src/proof.cpp": ["self_collision/proof_test", "self_collision/matrix_test"],
-    "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/proof_test"],
+    "collision/src/proof.cpp": ["self_collision/touching_proof_test", "self_collision/proof_test", "self_collision/matrix_test"],
+    "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/touching_proof_test", "self_collision/proof_test"],
     "collision/src/simplex.cpp": ["self_collision/simplex_test", "self_collision/separation_test"],
     "collision/src/ball_group.cpp": ["self_collision/ball_group_test", "self_collision/matrix_test"],
     "collision/src/matrix.cpp": ["self_collision/matrix_test"],
