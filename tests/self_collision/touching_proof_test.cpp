@@ -97,7 +97,7 @@ TEST(TouchingProof, AnElementMovesAsTheBallAroundIt) {
     // Not by the chord of its middle alone: a bar that turns about its own middle, beside a ball within its reach. The
     // frame is that of the link that moves less.
     const Element bar{.kind = Element::Kind::capsule, .half = {0, 0, 1}, .radius = 0.1};
-    const double reach = bar.half.z + bar.radius;
+    const double reach = minimum_enclosing_sphere(enclosing_mesh(bar).vertices).radius;
     for (const double at : {0.8, 1.05}) {
         const std::vector<Sphere> ball{{{at, 0, 0}, 0.1}};
         const double arm = std::min(reach, at + 0.1);
