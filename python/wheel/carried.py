@@ -48,20 +48,27 @@ def patch(library, run_path, names, soname=None):
         run("patchelf", *change, library)
 
 
-def package_of(path):
-    """The Debian package of a file, None if there is none. /lib is /usr/lib, and packages may name either."""
-    for name in (str(path), str(path).removeprefix("/usr")):
-        asked = subprocess.run(["dpkg", "-S", name], capture_output=True, text=True) if shutil.which("dpkg") else None
-        if asked and asked.returncode == 0:
-            return asked.stdout.partition(":")[0]
-    return None
+def packages_of(paths):
+    """The Debian package of each file, by its path; none for files of no package. /lib is /usr/lib, and packages may name either."""
+    paths_by_name = {name: path for path in paths for name in (str(path), str(path).removeprefix("/usr"))}
+    if not paths_by_name or not shutil.which("dpkg"):
+        return {}
+    # One call for all: each reads the lists of every package.
+    listed = subprocess.run(["dpkg", "-S", *paths_by_name], capture_output=True, text=True).stdout
+    packages = {}
+    for line in listed.splitlines():
+        package, _, name = line.rpartition(": ")
+        if name in paths_by_name:
+            packages.setdefault(paths_by_name[name], package.partition(":")[0])
+    return packages
 
 
 def licences(libraries):
     """The file with the licence of each Debian package with one of the libraries, by the name it is to have."""
     texts = {}
+    packages = packages_of(libraries)
     for path in libraries:
-        package = package_of(path)
+        package = packages.get(path)
         text = pathlib.Path("/usr/share/doc", package or "", "copyright")
         if package and text.is_file():
             texts[f"{package}.txt"] = text

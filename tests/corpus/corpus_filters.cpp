@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace foam {
 namespace {
 
@@ -45,6 +48,12 @@ std::optional<Mesh> loaded(const fs::path& file) {
     } catch (const Error&) {
         return std::nullopt;
     }
+}
+
+std::string bytes_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
 }
 
 void expect_solid(const Mesh& mesh, const char* after) {
@@ -91,17 +100,28 @@ TEST_P(CorpusFilters, MakeASolidAndItsSpheres) {
     std::printf("%s; %zu spheres\n", row.c_str(), spheres.size());
 }
 
-/// Both folders, relative to the shared folder.
+/// Meshes that another folder has as well.
+const std::string copies = "robots/stretch/foam_variant/meshes/", copied = "robots/stretch/RE1V0/meshes/";
+
+/// Both folders, relative to the shared folder, each mesh once.
 std::vector<std::string> files() {
     std::vector<std::string> result;
     for (const char* folder : {"meshes", "robots"}) {
         for (const std::string& file : mesh_files_below(shared_folder() / folder)) {
-            if (folder == std::string("meshes") || file.find("visual") == std::string::npos) {
-                result.push_back(std::string(folder) + "/" + file);
+            const std::string path = std::string(folder) + "/" + file;
+            if ((folder == std::string("meshes") || file.find("visual") == std::string::npos) &&
+                !path.starts_with(copies)) {
+                result.push_back(path);
             }
         }
     }
     return result;
+}
+
+TEST(CorpusFiles, WhatIsLeftOutIsTheSameToTheByte) {
+    for (const std::string& file : mesh_files_below(shared_folder() / copies)) {
+        EXPECT_EQ(bytes_of(shared_folder() / copies / file), bytes_of(shared_folder() / copied / file)) << file;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CorpusFilters, ::testing::ValuesIn(files()),

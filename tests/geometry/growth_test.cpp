@@ -142,3 +142,73 @@ TEST(Growth, FlatAndOpenAndTiny) {
     const auto grown = grown_to_cover(*away, std::vector<Sphere>{{far.translation, 0.1}, {far.translation + Vec3{1, 0, 0}, 0.5}});
     EXPECT_TRUE(certify(*away, grown).holds);
 }
+
+TEST(Growth, ARoundPartIsClosedByTheBallThatNeedsLeast) {
+    const auto ball = primitive_solid(Element::sphere(0.25));
+    std::vector<Sphere> spheres = grown_to_cover(*ball, std::vector<Sphere>{{{}, 0.2499}});
+    EXPECT_EQ(spheres[0].radius, 0.25) << "exact, not by pieces of its tessellation";
+    const Sphere near{{0.0005, 0, 0}, 0.25}, exact{{}, 0.2499}, far{{0.1, 0, 0}, 0.2}, deep{{0.001, 0, 0}, 0.2498};
+    for (const auto& [given, best] :
+         {std::pair(std::vector{near, exact}, 1u), std::pair(std::vector{exact, near}, 0u),
+          std::pair(std::vector{far, exact, deep}, 1u), std::pair(std::vector{far, deep, exact, near}, 2u)}) {
+        spheres = grown_to_cover(*ball, given);
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            EXPECT_EQ(spheres[i].radius, i == best ? 0.25 : given[i].radius) << i;
+        }
+    }
+    // Where no ball is near enough, pieces grow them; where one holds the part already, none grows.
+    spheres = grown_to_cover(*ball, std::vector<Sphere>{{{0, 0, 0.1}, 0.2}, {{0, 0, -0.1}, 0.2}});
+    EXPECT_TRUE(certify(*ball, spheres).holds);
+    EXPECT_GE(spheres[0].radius, 0.2);
+    EXPECT_GE(spheres[1].radius, 0.2);
+    spheres = grown_to_cover(*ball, std::vector<Sphere>{{{0.3, 0, 0}, 0.2}});
+    EXPECT_NEAR(spheres[0].radius, 0.55, 0.01);
+    spheres = grown_to_cover(*ball, std::vector<Sphere>{{{}, 0.3}, {{}, 0.2499}});
+    EXPECT_EQ(spheres[0].radius, 0.3);
+    EXPECT_EQ(spheres[1].radius, 0.2499);
+}
+
+TEST(Growth, OfTheFourNearestTheOneThatAddsLeast) {
+    // About a speck: a small ball is farther off than large ones, and adds less.
+    const double size = 1e-3;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere small{{0, 0, 0.3}, 0.1};
+    const std::vector<Sphere> large{{{1.11, 0, 0}, 1}, {{-1.12, 0, 0}, 1}, {{0, 1.13, 0}, 1}, {{0, -1.14, 0}, 1}};
+    for (std::size_t count = 1; count <= large.size(); ++count) {
+        std::vector<Sphere> spheres(large.begin(), large.begin() + static_cast<std::ptrdiff_t>(count));
+        spheres.push_back(small);
+        const std::vector<Sphere> before = std::exchange(spheres, grown_to_cover(*speck, spheres));
+        EXPECT_TRUE(certify(*speck, spheres).holds);
+        EXPECT_EQ(spheres.back() != small, count < 4) << count;
+        for (std::size_t i = 0; count < 4 && i < count; ++i) {
+            EXPECT_EQ(spheres[i], before[i]);
+        }
+    }
+}
+
+TEST(Growth, OfThoseThatAddNothingOutsideTheOneWhoseVolumeGrowsLeast) {
+    // Within a large ball that ends just below a speck: its neighbours grow inside it.
+    const double size = 1e-4;
+    const auto speck = Solid::make(Mesh{{{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}});
+    const Sphere large{{0, 0, -5}, 4.99}, medium{{0, 0, -2}, 1.98}, near{{0, 0, -2}, 1.999}, small{{0, 0, -0.5}, 0.47},
+        unit{{0, 0, -1}, 0.985};
+    for (const auto& [best, other] : {std::pair(unit, medium), std::pair(near, small)}) {
+        for (const std::vector<Sphere>& before : {std::vector{large, best, other}, std::vector{other, best, large}}) {
+            const std::vector<Sphere> spheres = grown_to_cover(*speck, before);
+            EXPECT_GT(spheres[1].radius, best.radius);
+            EXPECT_EQ(spheres[0], before[0]);
+            EXPECT_EQ(spheres[2], before[2]);
+        }
+    }
+}
+
+TEST(Growth, ARoundPartThatIsHeldSaysNothingOfTheOther) {
+    const auto solid = Solid::make(
+        {{nullptr, Element::sphere(0.25), Pose{}},
+         {nullptr, Element::sphere(0.1), Pose::from_xyz_rpy({1, 0, 0}, {0, 0, 0})}});
+    for (const Sphere& small : {Sphere{{}, 0.2}, Sphere{{0.2, 0, 0}, 0.01}}) {
+        const std::vector<Sphere> spheres = grown_to_cover(*solid, std::vector<Sphere>{{{1, 0, 0}, 0.1}, small});
+        EXPECT_TRUE(certify(*solid, spheres).holds);
+        EXPECT_EQ(spheres[0].radius, 0.1);
+    }
+}

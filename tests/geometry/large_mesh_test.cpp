@@ -1,8 +1,5 @@
 // Meshes of so many triangles that they are shared instead of copied, with hierarchies that are quick to build.
-#include "geometry/shapes.hpp"
-#include "geometry/src/mesh/line_grid.hpp"
-#include "geometry/src/mesh/mesh_part.hpp"
-#include "geometry/src/mesh/orientation.hpp"
+#include "geometry/fine_shapes.hpp"
 
 #include <foam/geometry/internal/surface_runs.hpp>
 
@@ -11,25 +8,6 @@
 using namespace foam;
 using namespace foam::geometry;
 using namespace foam::test;
-
-namespace {
-
-/// More than MeshPart::many triangles, on the unit sphere.
-Mesh fine_ball() {
-    Mesh mesh = ball({}, 1, 230);
-    EXPECT_GT(mesh.triangles.size(), MeshPart::many);
-    return mesh;
-}
-
-/// The same without the triangles around a pole.
-Mesh fine_bowl() {
-    Mesh mesh = fine_ball();
-    std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh.vertices[t[0]].z > 0.9; });
-    EXPECT_GT(mesh.triangles.size(), MeshPart::many);
-    return mesh;
-}
-
-} // namespace
 
 TEST(LargeMesh, IsTheSurfaceItselfAsLongAsNothingIsTurned) {
     const auto mesh = std::make_shared<const Mesh>(ball({}, 1, 12));
@@ -65,39 +43,6 @@ TEST(LargeMesh, QueriesAreThoseOfAFewTriangles) {
         }
     }
     EXPECT_NEAR(Solid::make(fine_ball())->volume(), signed_volume(fine_ball()), 1e-9);
-}
-
-TEST(LargeMesh, WindingNumbersOfAnOpenOneByExpansionToo) {
-    const Mesh bowl = fine_bowl();
-    const MeshPart part(bowl, read_as_solid(bowl));
-    // On the flat closing surface lines do not tell the side, and the expansion of the bowl itself is used. Seen from
-    // there, the hole is half the sky.
-    for (const double aside : {0.05, 0.17, 0.3}) {
-        EXPECT_NEAR(part.winding({aside, 0.01, part.bounds().high.z}), 0.5, 0.01);
-    }
-    EXPECT_NEAR(part.winding({0, 0, -3}), 0, 0.01);
-}
-
-TEST(LargeMesh, LinesCrossItAsLineByLine) {
-    const Mesh bowl = fine_bowl();
-    const MeshPart part(bowl, read_as_solid(bowl));
-    std::vector<Crossing> expected;
-    std::size_t count = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const LineGrid grid(part.bounds(), axis, 12, "test");
-        const GridCrossings crossings(part, grid);
-        for (std::size_t line = 0; line < grid.lines.size(); ++line) {
-            part.crossings(grid.lines[line].origin(), grid.lines[line].direction(), expected);
-            const auto found = crossings.of(line);
-            ASSERT_EQ(found.size(), expected.size()) << "axis " << axis << ", line " << line;
-            for (std::size_t i = 0; i < found.size(); ++i) {
-                EXPECT_EQ(found[i].t, expected[i].t);
-                EXPECT_EQ(found[i].change, expected[i].change);
-            }
-            count += found.size();
-        }
-    }
-    EXPECT_GT(count, 500u);
 }
 
 TEST(LargeMesh, GroupsOfRunsContainTheirTriangles) {

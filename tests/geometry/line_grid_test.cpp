@@ -1,5 +1,5 @@
 // Where a grid's lines cross meshes: triangle by triangle as line by line.
-#include "geometry/shapes.hpp"
+#include "geometry/fine_shapes.hpp"
 #include "geometry/src/mesh/line_grid.hpp"
 #include "geometry/src/mesh/mesh_part.hpp"
 
@@ -75,4 +75,9 @@ TEST(LineGrid, LinesThroughEdgesAndVertices) {
     EXPECT_GT(expect_as_line_by_line(lattice, {{0, 0, 0}, {1, 0, 1}}), 0u);
     EXPECT_GT(expect_as_line_by_line(together(lattice, ball({0.5, 0, 0.5}, 0.5, 8)), {{0, 0, 0.5}, {1, 0, 0.5}}), 0u);
     EXPECT_EQ(expect_as_line_by_line(lattice, {{2, 2, 2}, {3, 3, 3}}), 0u) << "beside it";
+}
+
+TEST(LineGrid, AnOpenMeshOfManyTriangles) {
+    const Mesh bowl = fine_bowl();
+    EXPECT_GT(expect_as_line_by_line(bowl, bounds(bowl), 12), 500u);
 }

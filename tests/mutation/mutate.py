@@ -23,10 +23,13 @@ BUILD = Path(os.environ.get("FOAM_MUTATION_BUILD", ROOT / "build" / "mutation"))
 CORE, TESTS = ROOT / "core", ROOT / "tests"
 
 SURFACE = ["geometry/balls_test", "geometry/crease_cuts_test", "geometry/certificate_test", "evaluate/certificate_adversary_test"]
-GROWN = ["geometry/growth_test"]
+GROWN = ["geometry/growth_steps_test", "geometry/growth_test"]
 MEASURED = ["geometry/volume_test", "geometry/measure_test"]
-INNER = ["geometry/inner_test"]
-ELEMENTS = ["evaluate/element_adversary_test", "geometry/element_certificate_test"]
+INNER = ["geometry/rim_test", "geometry/inner_test"]
+ELEMENTS = ["evaluate/element_adversary_test", "evaluate/two_elements_adversary_test", "evaluate/element_shells_test",
+            "evaluate/element_growth_ends_test", "geometry/element_certificate_test"]
+
+MATRIX = [f"self_collision/matrix{part}_test" for part in ("", "_samples", "_geometry")]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
 BELONG = {
@@ -42,34 +45,34 @@ BELONG = {
     "geometry/src/measure/measure_volume.cpp": MEASURED,
     "geometry/src/measure/exact_union_volume.cpp": MEASURED,
     "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
-    "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test"] + ELEMENTS,
-    "geometry/src/proof/bodies.cpp": ["geometry/bodies_test"] + ELEMENTS,
+    "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
+    "geometry/src/proof/bodies.cpp": ["geometry/bodies_test", "geometry/bodies_of_nothing_test", "geometry/near_bodies_test"] + ELEMENTS,
     "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
     "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
-    "geometry/src/convex/polytope.cpp": ["geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/convex/polytope.cpp": ["geometry/faces_moved_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/convex/hull.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/convex/swept_box.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/convex/cylinder.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/convex/ellipsoid.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/mesh/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
     "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test"],
-    "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/element_test"],
+    "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/hull_planes_test", "geometry/element_test"],
     "geometry/src/hull/quickhull.cpp": ["geometry/quickhull_test", "geometry/convex_hull_test"],
     "geometry/src/hull/farthest.cpp": ["geometry/convex_hull_test"],
-    "robot/src/chain.cpp": ["kinematics/chain_test", "self_collision/proof_test", "self_collision/matrix_test"],
+    "robot/src/chain.cpp": ["kinematics/chain_test", "self_collision/touching_proof_test", "self_collision/proof_test", *MATRIX],
     "robot/src/proved_links.cpp": ["evaluate/statement_test"],
-    "collision/src/proof.cpp": ["self_collision/proof_test", "self_collision/matrix_test"],
-    "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/proof_test"],
+    "collision/src/proof.cpp": ["self_collision/touching_proof_test", "self_collision/proof_test", *MATRIX],
+    "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/touching_proof_test", "self_collision/proof_test"],
     "collision/src/simplex.cpp": ["self_collision/simplex_test", "self_collision/separation_test"],
-    "collision/src/link_shapes.cpp": ["self_collision/ball_group_test", "self_collision/matrix_test"],
-    "collision/src/matrix.cpp": ["self_collision/matrix_test"],
+    "collision/src/link_shapes.cpp": ["self_collision/ball_group_test", *MATRIX],
+    "collision/src/matrix.cpp": MATRIX,
     "search/src/convex/orientation_bounds.cpp": ["convex/orientation_bounds_test", "convex/least_element_test"],
     "search/src/convex/proved_least.cpp": ["convex/proved_least_test", "convex/least_element_test"],
     "judge/src/evaluate/evaluate.cpp": ["evaluate/judged_links_test"],
     "judge/src/evaluate/match.cpp": ["evaluate/judged_links_test"],
     "judge/src/evaluate/proved_links.cpp": ["evaluate/judged_links_test"],
     "judge/src/written_model.cpp": ["evaluate/written_model_test"],
-    "runtime/src/finish/written_numbers.cpp": ["run/written_numbers_test"],
+    "runtime/src/finish/written_numbers.cpp": ["run/growth_by_steps_test", "run/written_numbers_test"],
     "runtime/src/finish/cover.cpp": ["run/finished_tree_test"],
     "runtime/src/finish/written_proof.cpp": ["run/written_proof_test"],
     "base/src/number_text.cpp": ["data/text_test", "run/finished_tree_test"],

@@ -1,5 +1,4 @@
 // Geometry of extreme size, place and form through whole runs: a proof or a clear error, in bounded time.
-#include "runtime/src/input/inputs.hpp"
 #include "support/runs.hpp"
 
 #include <foam/base/error.hpp>
@@ -27,13 +26,6 @@ Mesh box_with_corner(const Vec3& corner) {
 
 Mesh cube(double edge, const Vec3& center = {}) {
     return sample::box({edge, edge, edge}, center);
-}
-
-StageCall call(const std::string& stage, const std::map<std::string, ParameterValue>& given = {}) {
-    StageCall result;
-    result.stage = stage;
-    result.given = given;
-    return result;
 }
 
 std::string obj_of(const Mesh& mesh) {
@@ -253,17 +245,7 @@ TEST_F(Extremes, SizeAndPlaceChangeNothingInTheResult) {
     EXPECT_NEAR(outcome_of(transformed(sample::bracket(), far), "spherize.cover").excess_volume, at_one, 0.1 * at_one);
 }
 
-TEST_F(Extremes, LengthsOfStagesStayMetres) {
-    const geometry::OwnFrame larger{{}, 3, 0}, far_larger{{}, 60, 0};
-    const StageCall voxel =
-        call_in_frame(call("spherize.voxel", {{"radius", 0.5}, {"spacing", 1.5}}), larger, registry);
-    EXPECT_EQ(std::get<double>(voxel.given.at("radius")), 4);
-    EXPECT_EQ(std::get<double>(voxel.given.at("spacing")), 1.5);
-    EXPECT_EQ(std::get<double>(call_in_frame(call("spherize.voxel"), larger, registry).given.at("radius")), 0.16);
-    // At most 1000 m: the frame is one in which that is so.
-    EXPECT_EQ(frame_for_stage(far_larger, call("spherize.voxel", {{"radius", 0.5}}), registry).exponent, 10);
-    EXPECT_EQ(frame_for_stage(far_larger, call("spherize.octree"), registry), far_larger);
-
+TEST_F(Extremes, BudgetsStayMetres) {
     write("part.obj", obj_of(cube(1e-7)));
     const RunResult near = run(recipe_of("name: x\nmesh: part.obj\nstages: [spherize.octree]\n"
                                          "budget: {spheres: 64, max_protrusion: 2.0e-8}\n"),

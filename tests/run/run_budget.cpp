@@ -49,13 +49,16 @@ TEST_F(Run, MoreSpheresForTheRobotNeverClaimMore) {
 
 /// Between 16, 32 and 64 spheres the runtime adds spheres one by one, unless the spherizer gains much by itself.
 TEST_F(Run, MoreSpheresForOneLinkNeverClaimMore) {
+    RunOptions cached = options(); // the runs ask for the same numbers of spheres again and again
+    cached.fresh = false;
+    cached.cache = folder.path() / "cache";
     for (const std::string stage : {"spherize.grid", "spherize.octree", "spherize.cover: {effort: fast}"}) {
         SCOPED_TRACE(stage);
         double least = std::numeric_limits<double>::infinity(), error = 0;
         for (const std::size_t most : {8, 11, 12, 13, 15, 16, 17, 23, 24, 31, 32, 33, 47, 48, 62, 63, 64}) {
             const RunResult result = run(recipe("stages: [" + stage + ", refine.split]\nlinks: {tip: {skip: true}}\n" +
                                                 "budget: {spheres: " + std::to_string(most) + "}\n"),
-                                         registry, options());
+                                         registry, cached);
             EXPECT_LE(result.total.spheres, most);
             EXPECT_LE(result.total.excess, least + 1e-5 + 4 * (error + result.total.excess_error)) << most;
             least = std::min(least, result.total.excess);

@@ -5,6 +5,12 @@ unset FOAM_PLUGIN_PATH FOAM_PACKAGE_PATH CMAKE_PREFIX_PATH foam_DIR DESTDIR CXX 
 room=$(mktemp -d)
 trap 'rm -rf -- "$room"' EXIT
 export XDG_CACHE_HOME=$room/cache HOME=$room
+# Where there is ccache, what has not changed since the last run of the tests is not compiled again.
+if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=$FOAM_TEST_BUILD/tests/ccache \
+        CCACHE_BASEDIR=$room CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_MAXSIZE=500M
+    unset CCACHE_CONFIGPATH CCACHE_DISABLE CCACHE_READONLY
+fi
 
 fail() {
     printf 'FAILED: %s\n' "$*" >&2

@@ -4,7 +4,7 @@
 # shellcheck source=tests/sdk/fixture.sh
 source "$(dirname "$0")/fixture.sh"
 [[ -z $FOAM_TEST_SANITIZER ]] || skip "one build with sanitizers is enough"
-build=(-S "$FOAM_TEST_SOURCE" -B "$room/foam" -G "$FOAM_TEST_GENERATOR" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0)
+build=(-S "$FOAM_TEST_SOURCE" -B "$room/foam" -G "$FOAM_TEST_GENERATOR" -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -fpch-preprocess")
 
 # without PACKAGE...: options by which find_package() fails for them.
 without() { printf -- '-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON ' "$@"; }

@@ -1,7 +1,6 @@
 // The scene and the page that is one file.
 #include "arm.hpp"
-
-#include "drawn_mesh.hpp"
+#include "chequered.hpp"
 
 #include <foam/view/scene.hpp>
 
@@ -84,40 +83,6 @@ TEST_F(Scene, NamesAreTextThatCannotSteer) {
     EXPECT_THAT(page, Not(HasSubstr("unsafe")));
 }
 
-/// A square of n x n x 2 triangles in the plane z = 0, the left half in one colour and the right in another.
-ViewedMesh chequered(std::uint32_t n) {
-    Mesh mesh;
-    ViewedMesh result;
-    for (std::uint32_t y = 0; y <= n; ++y) {
-        for (std::uint32_t x = 0; x <= n; ++x) {
-            mesh.vertices.push_back({x / double(n), y / double(n), 0});
-        }
-    }
-    for (std::uint32_t y = 0; y < n; ++y) {
-        for (std::uint32_t x = 0; x < n; ++x) {
-            const std::uint32_t a = y * (n + 1) + x, b = a + n + 1;
-            mesh.triangles.push_back({a, a + 1, b});
-            mesh.triangles.push_back({a + 1, b + 1, b});
-            result.colours.insert(result.colours.end(), 2, 2 * x < n ? 0xFF0000FFu : 0x0000FFFFu);
-        }
-    }
-    result.mesh = std::make_shared<const Mesh>(std::move(mesh));
-    return result;
-}
-
-TEST(CoarseMesh, MergesVerticesAndKeepsColours) {
-    const ViewedMesh fine = chequered(100), coarse = coarsened(fine, 0.1);
-    ASSERT_EQ(coarse.colours.size(), coarse.mesh->triangles.size());
-    EXPECT_LT(coarse.mesh->triangles.size(), 400u);
-    EXPECT_GT(coarse.mesh->triangles.size(), 150u);
-    EXPECT_NEAR(surface_area(*coarse.mesh), 1, 0.2);
-    for (std::size_t t = 0; t < coarse.colours.size(); ++t) {
-        const double x = coarse.mesh->vertices[coarse.mesh->triangles[t][0]].x;
-        EXPECT_TRUE(coarse.colours[t] == 0xFF0000FFu ? x < 0.65 : x > 0.35) << x;
-    }
-    EXPECT_EQ(coarsened(fine, 1e-3).mesh->triangles, fine.mesh->triangles); // every vertex in a cell of its own
-}
-
 TEST_F(Scene, HasCoarseMeshesFirstWhereThereAreManyTriangles) {
     Subject arm = subject(with({"arm.urdf", "arm.csv"}));
     for (const auto& mesh : fine_meshes(arm)) {
@@ -132,29 +97,6 @@ TEST_F(Scene, HasCoarseMeshesFirstWhereThereAreManyTriangles) {
     EXPECT_EQ(fine[0]["corners"]["count"], 3 * 80'000);
     for (std::size_t i = 1; i < fine.size(); ++i) {
         EXPECT_TRUE(fine[i].is_null()); // boxes
-    }
-}
-
-TEST(DrawnMesh, KeepsEdgesSharpAndRoundsSmoothSurfaces) {
-    const auto count = [](const Element& primitive) {
-        return drawn({std::make_shared<const Mesh>(enclosing_mesh(primitive)), {}}).vertices.size();
-    };
-    EXPECT_EQ(count(Element::box({1, 2, 3})), 24u); // each corner with three normals
-    const Element ball = Element::sphere(1);
-    EXPECT_EQ(count(ball), enclosing_mesh(ball).vertices.size());
-}
-
-TEST(DrawnMesh, SortsTrianglesByColourAndLeavesOutThoseWithoutArea) {
-    Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}, {1, 2, 3}}};
-    const DrawnMesh result = drawn({std::make_shared<const Mesh>(mesh), {0xFF0000FFu, 1, 0, 0xFF0000FFu}});
-    ASSERT_EQ(result.ranges.size(), 2u);
-    EXPECT_EQ(result.ranges[0].colour, std::nullopt);
-    EXPECT_EQ(result.ranges[0].count, 3u);
-    EXPECT_EQ(result.ranges[1].colour, 0xFF0000FFu);
-    EXPECT_EQ(result.ranges[1].first, 3u);
-    EXPECT_EQ(result.ranges[1].count, 6u);
-    for (const std::uint32_t corner : result.corners) {
-        EXPECT_LT(corner, result.vertices.size());
     }
 }
 
