@@ -4,6 +4,7 @@
 
 #include <foam/geometry/vector.hpp>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ Element stretched(const Element& e, const Vec3& direction, double length) {
             image(row, column) = e.half[row] * ((row == column ? 1 : 0) + (length - 1) * u[row] * u[column]);
         }
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::ComputeFullU> svd(image);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(image, Eigen::ComputeFullU);
     Eigen::Matrix3d axes = svd.matrixU();
     if (axes.determinant() < 0) {
         axes.col(2) *= -1;
