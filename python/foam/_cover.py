@@ -194,7 +194,8 @@ def cover(
             (Open3D); metres, any frame. With `radii`: points, (n, 3).
         elements: the greatest number of elements, at least 1.
         kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", one or several.
-        radii: of the points, (n,) or one number, metres: all within them is covered. 0: the points themselves.
+        radii: of the points, (n,) or one number, metres: the surface of the union of their balls is covered; `missing`
+            says how much of the inside is not. 0: a millionth of the size of all points.
         effort: "fast" (milliseconds), "normal" or "best".
         objective: what is minimised: "excess" (volume outside the region), "protrusion", "mean_protrusion", or for
             spheres alone "radius".

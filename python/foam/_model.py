@@ -170,7 +170,10 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
             None if source is None else (str(source), source.read_text()), dict(set or {}), facts,
         )  # fmt: skip
         warn_of(said, str(target))
-        for file, content in files:
+        main = os.path.realpath(target)
+        for file, content in sorted(files, key=lambda one: os.path.realpath(one[0]) == main):  # last the one that names others
+            if os.path.realpath(file) != main:
+                _make_folder_of(Path(file))
             _write_whole(Path(file), content)
         return [Path(file) for file, _ in files]
 
@@ -282,6 +285,14 @@ def _restored(
 
 def _same(first: Path, second: Path) -> bool:
     return first.exists() and second.exists() and first.samefile(second)
+
+
+def _make_folder_of(file: Path) -> None:
+    """Make the folder of the meshes beside a file; that of the file itself is to be there."""
+    try:
+        file.parent.mkdir(exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"{file.parent}: it cannot be made ({error.strerror}); remedy: check its folder") from None
 
 
 def _write_whole(file: Path, content: bytes) -> None:

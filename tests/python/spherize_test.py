@@ -230,6 +230,15 @@ def test_points_with_radii():
         foam.cover(points, 4, "box", radii=0.1, objective="radius")
 
 
+def test_hulls_beside_a_saved_robot(tmp_path):
+    urdf = tmp_path / "box.urdf"
+    urdf.write_text('<robot name="r"><link name="base"><collision><geometry><box size="1 2 3"/></geometry></collision></link></robot>')
+    model = foam.load(urdf).approximate(1, "ellipsoid", effort="fast")
+    files = model.save(tmp_path / "saved.urdf")
+    assert len(files) == 2 and all(file.is_file() for file in files)
+    assert foam.certify(urdf, tmp_path / "saved.urdf").certified
+
+
 def test_cover_of_spheres_is_that_of_spherize():
     assert foam.cover(wavy(100), 5, effort="fast") == foam.spherize(wavy(100), 5, effort="fast")
 

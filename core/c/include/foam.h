@@ -111,7 +111,8 @@ typedef struct foam_region foam_region;
  * frees; NULL unless FOAM_OK. */
 FOAM_API int foam_region_of_mesh(const double* vertices, size_t vertex_count, const uint32_t* triangles,
                                  size_t triangle_count, foam_region** region, foam_report* report);
-/* Makes a region of points, `count` times x, y, z in metres, with one radius each: all of these balls are to be covered.
+/* Makes a region of points, `count` times x, y, z in metres, with one radius each: the surface of the union of
+ * these balls is to be covered.
  * radii: NULL: the points alone. */
 FOAM_API int foam_region_of_points(const double* points, const double* radii, size_t count, foam_region** region,
                                    foam_report* report);

@@ -66,8 +66,8 @@ private:
 Cover cover(const Solid& solid, std::size_t count, const CoverOptions& options = {});
 /// Returns the same for a mesh: metres, any frame.
 Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options = {});
-/// Returns the same for points, each with a radius: all of these balls are covered, by themselves if spheres may be used
-/// and there are no more of them. See solid_of_balls().
+/// Returns the same for points, each with a radius: the surface of the union of these balls is covered, by the balls
+/// themselves if spheres may be used and there are no more of them. See solid_of_balls().
 Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options = {});
 
 } // namespace search
