@@ -236,7 +236,7 @@ def test_hulls_beside_a_saved_robot(tmp_path):
     model = foam.load(urdf).approximate(1, "ellipsoid", effort="fast")
     files = model.save(tmp_path / "saved.urdf")
     assert len(files) == 2 and all(file.is_file() for file in files)
-    assert foam.certify(urdf, tmp_path / "saved.urdf").certified
+    assert foam.certify(urdf, tmp_path / "saved.urdf").holds
 
 
 def test_cover_of_spheres_is_that_of_spherize():
