@@ -10,9 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 namespace foam {
 namespace {
 
@@ -48,12 +45,6 @@ std::optional<Mesh> loaded(const fs::path& file) {
     } catch (const Error&) {
         return std::nullopt;
     }
-}
-
-std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
 }
 
 void expect_solid(const Mesh& mesh, const char* after) {
@@ -100,28 +91,17 @@ TEST_P(CorpusFilters, MakeASolidAndItsSpheres) {
     std::printf("%s; %zu spheres\n", row.c_str(), spheres.size());
 }
 
-/// Meshes that another folder has as well.
-const std::string copies = "robots/stretch/foam_variant/meshes/", copied = "robots/stretch/RE1V0/meshes/";
-
-/// Both folders, relative to the shared folder, each mesh once.
+/// Both folders, relative to the shared folder.
 std::vector<std::string> files() {
     std::vector<std::string> result;
     for (const char* folder : {"meshes", "robots"}) {
         for (const std::string& file : mesh_files_below(shared_folder() / folder)) {
-            const std::string path = std::string(folder) + "/" + file;
-            if ((folder == std::string("meshes") || file.find("visual") == std::string::npos) &&
-                !path.starts_with(copies)) {
-                result.push_back(path);
+            if (folder == std::string("meshes") || file.find("visual") == std::string::npos) {
+                result.push_back(std::string(folder) + "/" + file);
             }
         }
     }
     return result;
-}
-
-TEST(CorpusFiles, WhatIsLeftOutIsTheSameToTheByte) {
-    for (const std::string& file : mesh_files_below(shared_folder() / copies)) {
-        EXPECT_EQ(bytes_of(shared_folder() / copies / file), bytes_of(shared_folder() / copied / file)) << file;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, CorpusFilters, ::testing::ValuesIn(files()),
