@@ -1,6 +1,7 @@
 """The walls between foam's modules, as the table in docs/dev/architecture.md has them.
 
 walls.py check ROOT   0: every include is allowed by the table; 1: not, with each file and its remedy
+walls.py private ROOT the tests of private headers, with their lines, and their share of all lines of tests
 walls.py test         whether `check` would notice
 
 The table is the only list: its first column has the folders, its last the folders that each may use. Headers in `internal/` are
@@ -18,6 +19,10 @@ SOURCES = ("core", "plugins", "apps", "python")
 USERS_OF_INTERNALS = ("core/", "apps/bench")
 TEXT = re.compile(r"\brobot_?(?:->|\.)source\b")
 USERS_OF_TEXT = ("plugins/load_urdf/", "plugins/write_urdf/")
+
+
+# Tests of private headers hinder changes that nobody would notice. This share of the lines of tests may be in such files.
+MOST_PRIVATE = 0.1
 
 
 class Table:
@@ -88,6 +93,37 @@ def problems_of_test(root, path):
     return [f"{path}: it includes private headers of {' and '.join(sorted(rooms))}; remedy: split the test"] if len(rooms) > 1 else []
 
 
+def private_headers_of(root, path):
+    """The private headers of libraries and plugins that a test includes."""
+    found = []
+    for bracket, name in INCLUDE.findall((root / path).read_text(errors="replace")):
+        if bracket == "<" or (root / path).parent.joinpath(name).is_file() or (root / "tests" / name).is_file():
+            continue
+        found += [place for place in (root / "core" / name, root / "plugins" / name, *root.glob(f"core/*/src/{name}")) if place.is_file()]
+    return found
+
+
+def private_tests(root):
+    """The lines of tests in C++, C and Python: of each file that includes private headers, and of all files."""
+    files = [file for file in sorted((root / "tests").rglob("*")) if file.suffix in (".cpp", ".hpp", ".c", ".h", ".py")]
+    lines = {file.relative_to(root).as_posix(): len(file.read_text(errors="replace").splitlines()) for file in files}
+    return {path: count for path, count in lines.items() if not path.endswith(".py") and private_headers_of(root, path)}, sum(lines.values())
+
+
+def problems_of_share(root):
+    private, lines = private_tests(root)
+    share = sum(private.values()) / max(lines, 1)
+    return [f"tests: {share:.1%} of their lines are in files that include private headers, {MOST_PRIVATE:.0%} may be; remedy: test through "
+            "a public header; walls.py private lists the files"] if share > MOST_PRIVATE else []
+
+
+def told_of_private(root):
+    """Lines for people: the files, the longest first, and the share."""
+    private, lines = private_tests(pathlib.Path(root))
+    told = [f"{count:5} {path}" for path, count in sorted(private.items(), key=lambda item: -item[1])]
+    return told + [f"{sum(private.values())} of {lines} lines: {sum(private.values()) / lines:.1%}"]
+
+
 def check(root):
     root = pathlib.Path(root)
     table = Table((root / PAGE).read_text())
@@ -102,7 +138,7 @@ def check(root):
             problems += problems_of(root, table, file.relative_to(root).as_posix())
     for file in sorted((root / "tests").rglob("*.[ch]pp")):
         problems += problems_of_test(root, file.relative_to(root).as_posix())
-    return problems
+    return problems + problems_of_share(root)
 
 
 def test():
@@ -115,6 +151,9 @@ def test():
         "core/low/src/c.cpp": '#include "c.hpp"\n#include <foam/low/a.hpp>\n#include <vector>\n',
         "core/high/include/foam/high/d.hpp": "#include <foam/low/internal/b.hpp>\n",
         "plugins/one/plugin.cpp": "#include <foam/high/d.hpp>\n",
+        "plugins/one/reader.hpp": "",
+        "tests/x/public_test.cpp": "#include <foam/low/a.hpp>\n" + 30 * "\n",
+        "tests/x/script.py": 30 * "\n",
     }
     wrong = {
         "core/low/src/up.cpp": ("#include <foam/high/d.hpp>\n", "core/low may not use core/high"),
@@ -123,6 +162,11 @@ def test():
         "core/nowhere.cpp": ("", "in no module"),
         "core/high/src/colours.cpp": ("xml::parse(model.robot->source)", "it reads the robot's URDF"),
         "tests/x/x_test.cpp": ('#include "low/src/c.hpp"\n#include "high/src/e.hpp"\n', "split the test"),
+    }
+    shares = {  # of 60 lines and its own
+        "tests/x/c_test.cpp": ('#include "low/src/c.hpp"\n', 40 * "\n"),
+        "tests/x/bare_test.cpp": ('#include "c.hpp"\n', 40 * "\n"),
+        "tests/x/reader_test.cpp": ('#include "one/reader.hpp"\n', 40 * "\n"),
     }
     failures = []
 
@@ -139,6 +183,11 @@ def test():
     for name, (text, wanted) in wrong.items():
         if not any(wanted in problem and name in problem for problem in problems({name: text})):
             failures.append(f"{name} is accepted: {problems({name: text})}")
+    for name, (text, more) in shares.items():
+        if problems({name: text}):
+            failures.append(f"{name} is refused: {problems({name: text})}")
+        if not any("private headers" in problem for problem in problems({name: text + more})):
+            failures.append(f"{name} is accepted with {len(more)} lines")
     if not any("uses itself" in problem for problem in problems({}, page.replace("text | – |", "text | `core/high` |"))):
         failures.append("a cycle is accepted")
     if not any("not in the table" in problem for problem in problems({}, page.replace("text | – |", "text | `core/x` |"))):
@@ -147,6 +196,9 @@ def test():
 
 
 if __name__ == "__main__":
+    if sys.argv[1] == "private":
+        print("\n".join(told_of_private(sys.argv[2])))
+        sys.exit()
     lines = test() if sys.argv[1] == "test" else check(sys.argv[2])
     print("\n".join(lines) or "as the table has it")
     sys.exit(1 if lines else 0)
