@@ -84,7 +84,7 @@ LINKED = ("runtime/src/contract/sample.cpp", "runtime/src/finish/cover.cpp", "ru
 FLAGS = ("-std=c++20 -O1 -fPIC -DNDEBUG -D_GLIBCXX_ASSERTIONS -ffp-contract=off -w -DFMT_SHARED -DFOAM_VERSION=\"mutation\" "
          "-DFOAM_YAML_CPP_VERSION=\"\" -DFOAM_PLUGIN_SUBDIRECTORY=\"foam/plugins\" -isystem /usr/include/eigen3").split()
 LIBRARIES_OF_CORE = ["base", "geometry", "xml", "robot", "collision", "search", "sdk", "yaml", "recipe", "report", "runtime", "judge"]
-INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{CORE}/geometry/src", f"-I{CORE}/runtime/src", f"-I{CORE}/search/src", f"-I{TESTS}"] + [f"-I{CORE}/{name}/include" for name in LIBRARIES_OF_CORE]
+INCLUDES = [f"-I{BUILD}/include", f"-I{CORE}", f"-I{TESTS}"] + [f"-I{CORE}/{name}/{part}" for name in LIBRARIES_OF_CORE for part in ("include", "src")]
 LIBRARIES = "-lgmock -lgtest -lgtest_main -ltbb -lfmt -lyaml-cpp -lexpat -lxxhash -lpthread -ldl".split()
 HEADERS = {"core": "algorithm array cmath cstdint filesystem functional map memory optional set span string string_view variant vector "
                    "fmt/format.h".split(),
