@@ -35,6 +35,7 @@ AccountingStorageType=accounting_storage/none
 JobAcctGatherType=jobacct_gather/none
 MpiDefault=none
 SwitchType=switch/none
+SchedulerParameters=sched_interval=1,bf_interval=1
 ReturnToService=2
 KillWait=5
 StateSaveLocation={folder}/state
