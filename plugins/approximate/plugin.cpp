@@ -100,14 +100,10 @@ private:
     std::map<std::vector<Kind>, std::unique_ptr<foam::CoverSearch>> searches_; ///< by kinds
 };
 
-foam::Effort effort_named(const std::string& name) {
-    return name == "fast" ? foam::Effort::fast : name == "best" ? foam::Effort::best : foam::Effort::normal;
-}
-
 /// Reads what all stages here have in common; the constructors of the stages add their own.
 Settings settings_of(const foam::Parameters& parameters, std::vector<Kind> kinds) {
     Settings settings{.kinds = std::move(kinds), .options = {}, .elements = 0};
-    settings.options.effort = effort_named(parameters.text("effort"));
+    settings.options.effort = foam::effort_named(parameters.text("effort")).value();
     settings.options.objective = foam::objective_named(parameters.text("objective")).value();
     settings.elements = static_cast<std::size_t>(parameters.integer("elements"));
     return settings;

@@ -64,14 +64,10 @@ private:
     std::unique_ptr<foam::CoverSearch> covers_;
 };
 
-foam::Effort effort_named(const std::string& name) {
-    return name == "fast" ? foam::Effort::fast : name == "best" ? foam::Effort::best : foam::Effort::normal;
-}
-
 class CoverSpherizer final : public foam::Spherizer {
 public:
     explicit CoverSpherizer(const foam::Parameters& parameters)
-        : settings_{.effort = effort_named(parameters.text("effort")),
+        : settings_{.effort = foam::effort_named(parameters.text("effort")).value(),
                     .objective = foam::objective_named(parameters.text("objective")).value(),
                     .spheres = static_cast<std::size_t>(parameters.integer("spheres"))} {}
 

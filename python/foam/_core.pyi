@@ -21,9 +21,10 @@ class Registry:
     def __init__(self, folders: Sequence[str | os.PathLike[str]]) -> None: ...
 
 def load_mesh(file: str, registry: Registry, unit: str | None, scale: float) -> Mesh: ...
-def cover_each(
+def cover(
     mesh: Mesh,
     counts: Sequence[int],
+    alone: bool,
     kinds: Sequence[str],
     effort: str,
     objective: str,

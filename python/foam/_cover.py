@@ -163,10 +163,12 @@ def _covers(
     axis_aligned: bool = False,
     time_limit: float | None = None,
     radii: Any = None,
+    alone: bool = True,
 ) -> list[Cover]:
+    """Return the covers for each count by one search; `alone`: for the one count, which is quicker with effort fast."""
     given = _region(region, radii)
-    results = _core.cover_each(
-        given._core, counts, [kinds] if isinstance(kinds, str) else list(kinds), effort, objective, _seed(seed),
+    results = _core.cover(
+        given._core, counts, alone, [kinds] if isinstance(kinds, str) else list(kinds), effort, objective, _seed(seed),
         operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
     )  # fmt: skip
     return [Cover(*result, given) for result in results]
@@ -248,7 +250,7 @@ def spherize_each(
     """
     return _covers(
         mesh, [_count(count) for count in counts], "sphere", effort=effort, objective=objective, seed=seed,
-        time_limit=time_limit,
+        time_limit=time_limit, alone=False,
     )  # fmt: skip
 
 

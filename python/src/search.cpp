@@ -19,11 +19,12 @@
 namespace foam::python {
 namespace {
 
-Effort effort_named(const std::string& word) {
-    if (word == "fast" || word == "normal" || word == "best") {
-        return word == "fast" ? Effort::fast : word == "best" ? Effort::best : Effort::normal;
+Effort effort_of(const std::string& word) {
+    const std::optional<Effort> known = effort_named(word);
+    if (!known) {
+        throw Error(ErrorCode::usage, fmt::format("unknown effort '{}'; there are: fast, normal, best", word));
     }
-    throw Error(ErrorCode::usage, fmt::format("unknown effort '{}'; there are: fast, normal, best", word));
+    return *known;
 }
 
 Objective objective_of(const std::string& word) {
@@ -55,28 +56,30 @@ py::tuple tuple_of(Cover cover) {
     return py::make_tuple(rows_of(std::move(cover.elements.spheres())), others, cover.certificate.holds, cover.volume);
 }
 
-py::list covered_each(const HeldMesh& mesh, const std::vector<std::size_t>& counts,
-                      const std::vector<std::string>& kinds, const std::string& effort, const std::string& objective,
-                      std::uint64_t seed, std::size_t max_vertices, bool axis_aligned,
-                      std::optional<double> time_limit) {
+/// Returns the covers for each count, by one search.
+std::vector<Cover> found_each(const Solid& solid, const std::vector<std::size_t>& counts, const CoverOptions& options) {
+    CoverSearch search(solid, options);
+    std::vector<Cover> found;
+    for (const std::size_t count : counts) {
+        found.push_back(search.cover(count));
+    }
+    return found;
+}
+
+/// `alone`: the one count is searched for itself, which is quicker where the effort is fast.
+py::list covered(const HeldMesh& mesh, const std::vector<std::size_t>& counts, bool alone,
+                 const std::vector<std::string>& kinds, const std::string& effort, const std::string& objective,
+                 std::uint64_t seed, std::size_t max_vertices, bool axis_aligned, std::optional<double> time_limit) {
     CoverOptions options{.kinds = kinds_named(kinds, "kinds"),
-                         .effort = effort_named(effort),
+                         .effort = effort_of(effort),
                          .objective = objective_of(objective),
                          .seed = seed,
                          .max_vertices = max_vertices,
                          .axis_aligned = axis_aligned};
     std::vector<Cover> covers = worked([&](const Signals& signals) {
         options.stop = stop_of(signals, time_limit);
-        std::vector<Cover> found;
-        if (counts.size() == 1) { // quicker where the effort is fast
-            found.push_back(cover(*mesh.solid(), counts.front(), options));
-            return found;
-        }
-        CoverSearch search(*mesh.solid(), options);
-        for (const std::size_t count : counts) {
-            found.push_back(search.cover(count));
-        }
-        return found;
+        return alone ? std::vector{cover(*mesh.solid(), counts.front(), options)}
+                     : found_each(*mesh.solid(), counts, options);
     });
     py::list list;
     for (Cover& cover : covers) {
@@ -138,12 +141,15 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
 } // namespace
 
 void add_search(py::module_& module) {
-    module.def("cover_each", &covered_each, py::arg("mesh"), py::arg("counts"), py::arg("kinds"), py::arg("effort"),
-               py::arg("objective"), py::arg("seed"), py::arg("max_vertices"), py::arg("axis_aligned"),
-               py::arg("time_limit"));
+    module.def("cover", &covered, py::arg("mesh"), py::arg("counts"), py::arg("alone"), py::arg("kinds"),
+               py::arg("effort"), py::arg("objective"), py::arg("seed"), py::arg("max_vertices"),
+               py::arg("axis_aligned"), py::arg("time_limit"));
     module.def(
         "mesh_of_balls",
-        [](const py::buffer& rows) { return std::make_shared<HeldMesh>(solid_of_balls(spheres_of(rows))); },
+        [](const py::buffer& rows) {
+            const std::vector<Sphere> balls = spheres_of(rows);
+            return worked([&](const Signals&) { return std::make_shared<HeldMesh>(solid_of_balls(balls)); });
+        },
         py::arg("rows"));
     module.def("proved_least", &proved, py::arg("mesh"), py::arg("kind"), py::arg("tolerance"));
     module.def("mesh_of_elements", &mesh_of_elements, py::arg("elements"));

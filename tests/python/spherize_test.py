@@ -239,6 +239,18 @@ def test_hulls_beside_a_saved_robot(tmp_path):
     assert foam.certify(urdf, tmp_path / "saved.urdf").holds
 
 
+def test_covers_do_not_depend_on_the_other_counts():
+    vertices, faces = wavy(600)
+    one, both = (foam.spherize_each((vertices, faces), counts, effort="fast") for counts in ([9], [9, 17]))
+    assert one[0] == both[0]
+
+
+def test_few_points_are_covered_by_their_balls():
+    points = np.array([[0, 0, 0], [3, 0, 0], [0.1, 0, 0]])
+    cover = foam.cover(points, 4, radii=[1, 0.5, 0.2], effort="fast")
+    assert cover.certified and cover.spheres.tolist() == [[0, 0, 0, 1], [3, 0, 0, 0.5]]
+
+
 def test_cover_of_spheres_is_that_of_spherize():
     assert foam.cover(wavy(100), 5, effort="fast") == foam.spherize(wavy(100), 5, effort="fast")
 

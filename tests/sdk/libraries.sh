@@ -42,7 +42,7 @@ int main() {
     }
     box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    const foam::Cover cover = foam::spherize(box, 8, {.effort = foam::Effort::fast});
+    const foam::SphereCover cover = foam::spherize(box, 8, {.effort = foam::Effort::fast});
     for (const foam::Sphere& s : cover.spheres) {
         std::printf("%a %a %a %a\n", s.center.x, s.center.y, s.center.z, s.radius);
     }

@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -183,8 +184,10 @@ foam::Objective objective_of(const foam_options& options) {
                                                        : foam::Objective::excess;
 }
 
-/// Returns the cover of a solid, on the threads and until the time that the options allow.
-foam::Cover search(const foam::Solid& solid, std::size_t count, std::vector<foam::Element::Kind> kinds,
+using SolidMaker = std::function<std::shared_ptr<const foam::Solid>()>;
+
+/// Returns the cover of a solid; it is made and covered on the threads and until the time that the options allow.
+foam::Cover search(const SolidMaker& solid, std::size_t count, std::vector<foam::Element::Kind> kinds,
                    const foam_options& options, Poll& poll) {
     foam::CoverOptions settings{.kinds = std::move(kinds),
                                 .effort = effort_of(options),
@@ -192,13 +195,12 @@ foam::Cover search(const foam::Solid& solid, std::size_t count, std::vector<foam
                                 .seed = options.seed};
     foam::Cover cover;
     foam::on_threads(options.threads, [&] {
-        if (!poll.used()) {
-            cover = foam::cover(solid, count, settings);
-            return;
+        std::optional<foam::StopScope> scope;
+        if (poll.used()) {
+            settings.stop = [&] { return poll.finish(); };
+            scope.emplace(&poll);
         }
-        settings.stop = [&] { return poll.finish(); };
-        const foam::StopScope scope(&poll);
-        cover = foam::cover(solid, count, settings);
+        cover = foam::cover(*solid(), count, settings);
     });
     return cover;
 }
@@ -210,8 +212,8 @@ foam_options defaults() {
 }
 
 /// Checks the options and the count, searches, and reports.
-foam::Cover covered(const std::function<std::shared_ptr<const foam::Solid>()>& solid, std::size_t count,
-                    std::vector<foam::Element::Kind> kinds, const foam_options* given, foam_report& report) {
+foam::Cover covered(const SolidMaker& solid, std::size_t count, std::vector<foam::Element::Kind> kinds,
+                    const foam_options* given, foam_report& report) {
     const foam_options options = given ? *given : defaults();
     check(options);
     if (count == 0 || count > FOAM_MAX_SPHERES) {
@@ -221,7 +223,7 @@ foam::Cover covered(const std::function<std::shared_ptr<const foam::Solid>()>& s
     Poll poll(options);
     foam::Cover cover;
     try {
-        cover = search(*solid(), count, std::move(kinds), options, poll);
+        cover = search(solid, count, std::move(kinds), options, poll);
     } catch (...) {
         poll.check();
         throw;

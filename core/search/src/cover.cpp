@@ -1,15 +1,17 @@
 // The one search behind all names: spheres alone have their own, every other choice of kinds another.
 #include "by_spheres/portfolio/searches.hpp"
+#include "convex/least_fit.hpp"
 #include "convex/search.hpp"
 
 #include <foam/base/error.hpp>
-#include <foam/geometry/measure.hpp>
 #include <foam/geometry/solid_of_balls.hpp>
 #include <foam/geometry/volumes.hpp>
 #include <foam/search/spherize.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <variant>
+#include <vector>
 
 namespace foam::inline search {
 namespace {
@@ -32,7 +34,33 @@ void check(const CoverOptions& options) {
     }
 }
 
+Cover cover_of(SphereCover found) {
+    return {std::move(found.spheres), found.certificate, found.volume};
+}
+
+/// Returns the balls of a solid that is made of no more than `count` balls alone; nothing for any other.
+std::optional<std::vector<Sphere>> few_balls(const Solid& solid, std::size_t count) {
+    if (solid.parts().size() > count) {
+        return {};
+    }
+    std::vector<Sphere> balls;
+    for (const Solid::Part& part : solid.parts()) {
+        if (!part.primitive || part.primitive->kind != Element::Kind::sphere) {
+            return {};
+        }
+        balls.push_back({part.pose.translation, part.primitive->radius});
+    }
+    return balls;
+}
+
 } // namespace
+
+std::optional<Effort> effort_named(std::string_view word) {
+    return word == "fast"     ? std::optional(Effort::fast)
+           : word == "normal" ? std::optional(Effort::normal)
+           : word == "best"   ? std::optional(Effort::best)
+                              : std::nullopt;
+}
 
 struct CoverSearch::Data {
     std::variant<std::monostate, by_spheres::SolidSearch, convex::Search> search;
@@ -55,16 +83,24 @@ Cover CoverSearch::cover(std::size_t count) {
                     "a cover needs at least 1 element, got a count of 0; remedy: ask for 1 or more");
     }
     if (auto* const spheres = std::get_if<by_spheres::SolidSearch>(&data_->search)) {
-        SphereCover found = spheres->cover(count);
-        return {std::move(found.spheres), found.certificate, found.volume};
+        return cover_of(spheres->cover(count));
     }
     return std::get<convex::Search>(data_->search).cover(count);
 }
 
 Cover cover(const Solid& solid, std::size_t count, const CoverOptions& options) {
+    check(options);
+    const bool may_be_spheres =
+        std::find(options.kinds.begin(), options.kinds.end(), Element::Kind::sphere) != options.kinds.end();
+    if (may_be_spheres && options.objective != Objective::radius) { // smaller balls may cover a large one
+        if (std::optional<std::vector<Sphere>> balls = few_balls(solid, count)) {
+            Cover found = convex::proved(solid, std::move(*balls));
+            found.volume = exact_union_volume(found.elements.spheres());
+            return found;
+        }
+    }
     if (count > 0 && spheres_alone(options)) { // with effort fast: for this count alone
-        SphereCover found = spherize(solid, count, options);
-        return {std::move(found.spheres), found.certificate, found.volume};
+        return cover_of(spherize(solid, count, options));
     }
     return CoverSearch(solid, options).cover(count);
 }
@@ -74,21 +110,7 @@ Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options) {
 }
 
 Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options) {
-    check(options);
-    const std::shared_ptr<const Solid> solid = solid_of_balls(balls);
-    const bool may_be_spheres = std::find(options.kinds.begin(), options.kinds.end(), Element::Kind::sphere) !=
-                                options.kinds.end();
-    if (!may_be_spheres || solid->parts().size() > count) {
-        return cover(*solid, count, options);
-    }
-    std::vector<Sphere> themselves; // nothing covers them with less
-    for (const Solid::Part& part : solid->parts()) {
-        themselves.push_back({part.pose.translation, part.primitive->radius});
-    }
-    themselves = grown_to_cover(*solid, std::move(themselves));
-    const Certificate certificate = certify(*solid, themselves);
-    const double volume = union_volume(themselves);
-    return {std::move(themselves), certificate, volume};
+    return cover(*solid_of_balls(balls), count, options);
 }
 
 } // namespace foam::inline search

@@ -54,15 +54,12 @@ public:
             const Vec3& row = e.pose.rotation[static_cast<std::size_t>(axis)];
             reach[axis] = std::abs(row.z) * e.half.z + e.radius * std::hypot(row.x, row.y);
         }
-        Box box;
-        box.add(e.pose.translation - reach);
-        box.add(e.pose.translation + reach);
-        return box;
+        return Box::about(e.pose.translation, reach);
     }
     double volume(const Element& e) const override { return pi * e.radius * e.radius * 2 * e.half.z; }
-    Vec3 second_moments(const Element& e) const override {
+    std::optional<Vec3> second_moments(const Element& e) const override {
         const double r = e.radius, h = 2 * e.half.z, all = pi * r * r * h;
-        return {all * r * r / 4, all * r * r / 4, all * h * h / 12};
+        return Vec3{all * r * r / 4, all * r * r / 4, all * h * h / 12};
     }
     MaybePart inside_along(const Element& e, const Vec3& o, const Vec3& d) const override {
         return in_cylinder(o, d, e.radius, e.half.z);
@@ -72,12 +69,8 @@ public:
     std::vector<ElementPoint> surface_points(const Element& e, std::size_t count) const override {
         std::vector<Patch> patches;
         add_cylinder_patches(e.half.z, e.radius, patches);
-        double area = 0;
-        for (const Patch& patch : patches) {
-            area += patch.area;
-        }
         std::vector<ElementPoint> points;
-        add_points(patches, area, count, points);
+        add_points(patches, area_of(patches), count, points);
         for (int k = 0; k < 64; ++k) { // the rims
             const double angle = 2 * pi * k / 64;
             const Vec3 rim{e.radius * std::cos(angle), e.radius * std::sin(angle), e.half.z};

@@ -5,6 +5,14 @@
 
 namespace foam::inline geometry {
 
+double area_of(const std::vector<Patch>& patches, double rest) {
+    double area = rest;
+    for (const Patch& patch : patches) {
+        area += patch.area;
+    }
+    return area;
+}
+
 std::size_t share_of(std::size_t count, double area, double whole) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::round(static_cast<double>(count) * area / whole)));
 }

@@ -25,6 +25,8 @@ struct Patch {
     std::function<ElementPoint(double, double)> at;
 };
 
+/// Returns the area of the patches and `rest`.
+double area_of(const std::vector<Patch>& patches, double rest = 0);
 /// Returns a patch's share of `count` points, at least one.
 std::size_t share_of(std::size_t count, double area, double whole);
 /// Appends about `count` points of patches that make up an area: those of a lattice by the golden ratio.

@@ -114,30 +114,24 @@ public:
             const Vec3& row = e.pose.rotation[static_cast<std::size_t>(axis)];
             reach[axis] = norm(Vec3{row.x * e.half.x, row.y * e.half.y, row.z * e.half.z});
         }
-        Box box;
-        box.add(e.pose.translation - reach);
-        box.add(e.pose.translation + reach);
-        return box;
+        return Box::about(e.pose.translation, reach);
     }
     double volume(const Element& e) const override { return 4.0 / 3 * pi * e.half.x * e.half.y * e.half.z; }
-    Vec3 second_moments(const Element& e) const override {
+    std::optional<Vec3> second_moments(const Element& e) const override {
         return Vec3{e.half.x * e.half.x, e.half.y * e.half.y, e.half.z * e.half.z} * (volume(e) / 5);
     }
     MaybePart inside_along(const Element& e, const Vec3& o, const Vec3& d) const override {
         return in_ball(in_units(e, o), in_units(e, d), 1);
     }
     Mesh mesh(const Element& e, int segments) const override {
-        Mesh mesh = capsule_mesh(1, 0, segments);
-        for (Vec3& v : mesh.vertices) {
-            v = {v.x * e.half.x, v.y * e.half.y, v.z * e.half.z};
-        }
-        return mesh;
+        return transformed(capsule_mesh(1, 0, segments), {}, e.half);
     }
     bool has_known_surface() const override { return true; }
     std::vector<ElementPoint> surface_points(const Element& e, std::size_t count) const override {
         std::vector<ElementPoint> points;
-        const double share = 4 * pi * e.half.x * e.half.y * e.half.z / static_cast<double>(std::max<std::size_t>(count, 1));
-        for (const Vec3& n : fibonacci_directions(std::max<std::size_t>(count, 1))) {
+        count = std::max<std::size_t>(count, 1);
+        const double share = 4 * pi * e.half.x * e.half.y * e.half.z / static_cast<double>(count);
+        for (const Vec3& n : fibonacci_directions(count)) {
             const Vec3 gradient = in_units(e, n); // its length times the volume is the area of the image
             points.push_back({{n.x * e.half.x, n.y * e.half.y, n.z * e.half.z}, normalized(gradient),
                               share * norm(gradient)});

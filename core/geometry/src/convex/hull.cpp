@@ -99,12 +99,8 @@ public:
         const Mesh& mesh = e.hull->surface;
         std::vector<Patch> patches;
         add_hull_patches(mesh, patches);
-        double area = 0;
-        for (const Patch& patch : patches) {
-            area += patch.area;
-        }
         std::vector<ElementPoint> points;
-        add_points(patches, area, count, points);
+        add_points(patches, area_of(patches), count, points);
         Vec3 middle{};
         for (const Vec3& v : mesh.vertices) {
             middle += v / static_cast<double>(mesh.vertices.size());

@@ -6,6 +6,7 @@
 
 #include <foam/geometry/element.hpp>
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,8 +31,8 @@ public:
     /// Returns the tight box in the link's frame.
     virtual Box bounds(const Element& e) const = 0;
     virtual double volume(const Element& e) const = 0;
-    /// Returns the integrals of x², y² and z², m⁵.
-    virtual Vec3 second_moments(const Element& e) const;
+    /// Returns the integrals of x², y² and z², m⁵; nothing for a kind whose mesh stands for it.
+    virtual std::optional<Vec3> second_moments(const Element&) const { return {}; }
     virtual MaybePart inside_along(const Element& e, const Vec3& origin, const Vec3& direction) const = 0;
     /// Returns a closed mesh that contains the element, `segments` around a circle.
     virtual Mesh mesh(const Element& e, int segments) const = 0;
@@ -77,11 +78,15 @@ Element enlarged(const Element& element, std::span<const Vec3> points, double ro
 /// Returns about the volume that enlarged() adds for the points.
 double added_volume(const Element& element, std::span<const Vec3> points);
 
+/// Returns a direction of the link's frame in that of the element.
+inline Vec3 turned_back(const Element& e, const Vec3& v) {
+    const auto& r = e.pose.rotation;
+    return r[0] * v.x + r[1] * v.y + r[2] * v.z;
+}
+
 /// Returns a point of the link's frame in that of the element.
 inline Vec3 to_own_frame(const Element& e, const Vec3& p) {
-    const auto& r = e.pose.rotation;
-    const Vec3 v = p - e.pose.translation;
-    return r[0] * v.x + r[1] * v.y + r[2] * v.z;
+    return turned_back(e, p - e.pose.translation);
 }
 
 /// A primitive of a solid at its pose, for many queries.

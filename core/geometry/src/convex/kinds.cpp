@@ -64,20 +64,6 @@ bool ConvexKind::has(std::string_view number) const {
     return std::find(numbers_.begin(), numbers_.end(), number) != numbers_.end();
 }
 
-Vec3 ConvexKind::second_moments(const Element& e) const {
-    constexpr int segments = 96;
-    const Mesh body = mesh(e, segments);
-    Vec3 sum{};
-    for (const auto& [ia, ib, ic] : body.triangles) { // each with the origin a tetrahedron
-        const Vec3 &a = body.vertices[ia], &b = body.vertices[ib], &c = body.vertices[ic], s = a + b + c;
-        const double volume = dot(a, cross(b, c)) / 6;
-        for (int axis = 0; axis < 3; ++axis) {
-            sum[axis] += volume / 20 * (a[axis] * a[axis] + b[axis] * b[axis] + c[axis] * c[axis] + s[axis] * s[axis]);
-        }
-    }
-    return sum;
-}
-
 double ConvexKind::added_volume(const Element& e, std::span<const Vec3> points) const {
     return volume(enlarged(e, points, 0)) - volume(e);
 }
@@ -108,9 +94,9 @@ const char* to_string(Element::Kind kind) {
 }
 
 std::optional<Element::Kind> element_kind_named(std::string_view word) {
-    for (const Element::Kind kind : every_kind()) {
-        if (word == to_string(kind)) {
-            return kind;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (word == (*kinds[i])->word()) {
+            return static_cast<Element::Kind>(i);
         }
     }
     return {};
@@ -143,8 +129,7 @@ double distance(const Element& e, const Vec3& point) {
 }
 
 Vec3 support(const Element& e, const Vec3& direction) {
-    const auto& r = e.pose.rotation;
-    return e.pose * kind_of(e).support(e, r[0] * direction.x + r[1] * direction.y + r[2] * direction.z);
+    return e.pose * kind_of(e).support(e, turned_back(e, direction));
 }
 
 Box bounds(const Element& e) {
@@ -160,8 +145,7 @@ double volume(const Element& e) {
 }
 
 std::optional<LinePart> inside_along(const Element& e, const Vec3& origin, const Vec3& direction) {
-    const Pose to_local = e.pose.inverse();
-    return kind_of(e).inside_along(e, to_local.rotate(origin - e.pose.translation), to_local.rotate(direction));
+    return kind_of(e).inside_along(e, to_own_frame(e, origin), turned_back(e, direction));
 }
 
 Mesh enclosing_mesh(const Element& e, int segments) {

@@ -21,9 +21,7 @@ inline void reach_along(Element& e, int axis, double low, double high) {
 inline Box own_box(const Element& e, std::span<const Vec3> points, double room) {
     Box box;
     for (const Vec3& p : points) {
-        const Vec3 q = to_own_frame(e, p);
-        box.add(q - Vec3{room, room, room});
-        box.add(q + Vec3{room, room, room});
+        box.add(Box::about(to_own_frame(e, p), {room, room, room}));
     }
     return box;
 }

@@ -172,10 +172,7 @@ public:
             reach[axis] = std::abs(row.x) * e.half.x + std::abs(row.y) * e.half.y + std::abs(row.z) * e.half.z +
                           e.radius * norm(row);
         }
-        Box box;
-        box.add(e.pose.translation - reach);
-        box.add(e.pose.translation + reach);
-        return box;
+        return Box::about(e.pose.translation, reach);
     }
     bool is_widened() const override { return true; }
     std::vector<ElementPoint> surface_points(const Element& e, std::size_t count) const final;
@@ -189,10 +186,7 @@ std::vector<ElementPoint> Widened::surface_points(const Element& e, std::size_t 
     std::vector<Patch> patches;
     add_box_patches(e.half, e.radius, patches);
     const double ball = 4 * pi * e.radius * e.radius;
-    double area = ball;
-    for (const Patch& patch : patches) {
-        area += patch.area;
-    }
+    const double area = area_of(patches, ball);
     std::vector<ElementPoint> points;
     add_points(patches, area, count, points);
     if (ball > 0) {
@@ -215,7 +209,7 @@ public:
 
     bool has_known_surface() const override { return true; }
     double volume(const Element& e) const override { return 4.0 / 3 * pi * e.radius * e.radius * e.radius; }
-    Vec3 second_moments(const Element& e) const override {
+    std::optional<Vec3> second_moments(const Element& e) const override {
         const double ball = pi * e.radius * e.radius * e.radius * 4 / 3;
         return Vec3{1, 1, 1} * (ball * e.radius * e.radius / 5);
     }
@@ -236,10 +230,10 @@ public:
     double volume(const Element& e) const override {
         return pi * e.radius * e.radius * (2 * e.half.z + 4.0 / 3 * e.radius);
     }
-    Vec3 second_moments(const Element& e) const override {
+    std::optional<Vec3> second_moments(const Element& e) const override {
         const double r = e.radius, h = 2 * e.half.z, disc = pi * r * r, ball = disc * r * 4 / 3;
         const double across = disc * h * r * r / 4 + ball * r * r / 5;
-        return {across, across, disc * h * h * h / 12 + ball * (h * h / 4 + 3 * h * r / 8 + r * r / 5)};
+        return Vec3{across, across, disc * h * h * h / 12 + ball * (h * h / 4 + 3 * h * r / 8 + r * r / 5)};
     }
     MaybePart inside_along(const Element& e, const Vec3& o, const Vec3& d) const override {
         return in_capsule(o, d, e.radius, e.half.z);
@@ -255,7 +249,7 @@ public:
     using Widened::Widened;
 
     double volume(const Element& e) const override { return 8 * e.half.x * e.half.y * e.half.z; }
-    Vec3 second_moments(const Element& e) const override {
+    std::optional<Vec3> second_moments(const Element& e) const override {
         const Vec3 size = e.half * 2;
         return Vec3{size.x * size.x, size.y * size.y, size.z * size.z} * (volume(e) / 12);
     }

@@ -41,11 +41,10 @@ Moments of_tetrahedron(const Vec3& a, const Vec3& b, const Vec3& c) {
     return moments;
 }
 
-/// Returns the moments of a primitive about `reference`.
-Moments of_primitive(const Element& primitive, const Pose& pose, const Vec3& reference) {
+/// Returns the moments of a primitive about `reference`; `squares`: its second moments.
+Moments of_primitive(const Element& primitive, const Vec3& squares, const Pose& pose, const Vec3& reference) {
     Moments moments;
     moments.volume = volume(primitive);
-    const Vec3 squares = kind_of(primitive).second_moments(primitive);
     const Vec3 center = pose.translation - reference;
     moments.first = center * moments.volume;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -64,8 +63,9 @@ Moments of_parts(const Solid& solid, const Vec3& reference) {
     const Mesh& surface = solid.surface();
     CancellationCounter asking(1024);
     for (std::size_t part = 0; part < solid.parts().size(); ++part) {
-        if (const auto& primitive = solid.parts()[part].primitive) {
-            moments.add(of_primitive(*primitive, solid.parts()[part].pose, reference));
+        const auto& [mesh, primitive, pose] = solid.parts()[part];
+        if (const auto squares = primitive ? kind_of(*primitive).second_moments(*primitive) : std::nullopt) {
+            moments.add(of_primitive(*primitive, *squares, pose, reference));
             continue;
         }
         for (std::uint32_t i = solid.part_offsets()[part]; i < solid.part_offsets()[part + 1]; ++i) {

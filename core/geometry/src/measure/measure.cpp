@@ -86,9 +86,7 @@ Measures bounds_of_measures(const Solid& solid, const Elements& elements) {
     result.gap = certificate.holds ? 0 : certificate.growth;
     result.covered = certificate.holds ? 1 : 0;
     for (const Sphere& s : elements.spheres()) {
-        const Vec3 half{s.radius, s.radius, s.radius};
-        box.add(s.center - half);
-        box.add(s.center + half);
+        box.add(Box::about(s.center, {s.radius, s.radius, s.radius}));
         result.excess_volume += 4 * std::numbers::pi / 3 * s.radius * s.radius * s.radius;
         result.exposed_area += 4 * std::numbers::pi * s.radius * s.radius;
     }

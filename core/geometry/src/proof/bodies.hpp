@@ -26,10 +26,7 @@ public:
     bool holds(std::uint32_t i, const Piece& piece) const;
     /// Calls take(i) for the bodies that hold the point.
     template <class Take> void holders(const Vec3& p, Take take) const {
-        const auto around = [&](const BvhNode& n) {
-            return p.x >= n.low.x && p.x <= n.high.x && p.y >= n.low.y && p.y <= n.high.y && p.z >= n.low.z &&
-                   p.z <= n.high.z;
-        };
+        const auto around = [&](const BvhNode& node) { return contains(node, p); };
         for_each_entered(bvh_, around, [&](std::uint32_t place) {
             const std::uint32_t i = of_[bvh_.order()[place]];
             if (holds(i, p)) {

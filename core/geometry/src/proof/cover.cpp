@@ -198,8 +198,9 @@ void Balls::find_beneath(const Solid& solid, std::size_t index) {
     const Vec3 scale = ellipsoid ? primitive.half : Vec3{1, 1, 1};
     const double radius = ellipsoid ? 1 : primitive.radius, half = ellipsoid ? 0 : primitive.half.z;
     const Vec3 center = part.pose.translation - origin_, along = part.pose.rotate({0, 0, 1});
+    const Pose to_own = part.pose.inverse();
     const auto to_ball = [&](const Vec3& v) {
-        const Vec3 q = part.pose.inverse().rotate(v);
+        const Vec3 q = to_own.rotate(v);
         return Vec3{q.x / scale.x, q.y / scale.y, q.z / scale.z};
     };
     beneath_.resize(triangles_->size());

@@ -21,29 +21,19 @@ void require_ball(const Sphere& ball, std::size_t index) {
     }
 }
 
-Box box_of(const Sphere& ball) {
-    const Vec3 reach{ball.radius, ball.radius, ball.radius};
-    Box box;
-    box.add(ball.center - reach);
-    box.add(ball.center + reach);
-    return box;
-}
-
 /// Returns the balls that lie in no other one: large ones first, those that are equal once.
 std::vector<Sphere> outermost(std::vector<Sphere> balls) {
     std::stable_sort(balls.begin(), balls.end(), [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
     std::vector<Box> boxes;
-    std::transform(balls.begin(), balls.end(), std::back_inserter(boxes), box_of);
+    for (const Sphere& ball : balls) {
+        boxes.push_back(Box::about(ball.center, {ball.radius, ball.radius, ball.radius}));
+    }
     const Bvh bvh = Bvh::quick(boxes);
     std::vector<Sphere> result;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Sphere& ball = balls[i];
         bool inside = false;
-        const auto around = [&](const BvhNode& node) {
-            const Vec3& p = ball.center;
-            return !inside && p.x >= node.low.x && p.x <= node.high.x && p.y >= node.low.y && p.y <= node.high.y &&
-                   p.z >= node.low.z && p.z <= node.high.z;
-        };
+        const auto around = [&](const BvhNode& node) { return !inside && contains(node, ball.center); };
         for_each_entered(bvh, around, [&](std::uint32_t place) {
             const std::size_t k = bvh.order()[place];
             inside = inside || (k < i && distance(balls[k].center, ball.center) + ball.radius <= balls[k].radius);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace foam::inline search::convex {
@@ -104,6 +105,25 @@ Vec3 from_core(const Fit& fit, const Vec3& local) {
     return {beyond(local.x, fit.half.x), beyond(local.y, fit.half.y), beyond(local.z, fit.half.z)};
 }
 
+/// Returns whether a point in a fit, in its frame, is within a distance of the boundary.
+static bool is_near_boundary(const Fit& fit, const Vec3& q, double distance) {
+    if (is_ellipsoid(fit)) {
+        double slope = 0;
+        normal_of_ellipsoid(fit, q, slope);
+        return reach_of_ellipsoid(fit, q) > 1 - distance * slope;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        if (has_flat_end(fit.kind, axis) && std::abs(q[axis]) > fit.half[axis] - distance) {
+            return true;
+        }
+    }
+    if (fit.kind == Kind::box) {
+        return false;
+    }
+    const double room = fit.radius - distance;
+    return room <= 0 || squared_norm(fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q)) > room * room;
+}
+
 void close_around(Fit& fit, const Cloud& cloud) {
     if (is_ellipsoid(fit)) {
         double farthest = 0;
@@ -137,25 +157,8 @@ void close_around(Fit& fit, const Cloud& cloud) {
 
 Cloud near_boundary(const Fit& fit, const Cloud& cloud, double distance) {
     Cloud near;
-    for (const Vec3& p : cloud.points) {
-        const Vec3 q = fit.local(p);
-        double slope = 0;
-        if (is_ellipsoid(fit)) {
-            normal_of_ellipsoid(fit, q, slope);
-        }
-        bool is_near = is_ellipsoid(fit) && reach_of_ellipsoid(fit, q) > 1 - distance * slope;
-        for (int axis = 0; axis < 3; ++axis) {
-            is_near = is_near || (has_flat_end(fit.kind, axis) && std::abs(q[axis]) > fit.half[axis] - distance);
-        }
-        if (fit.kind != Kind::box && !is_ellipsoid(fit) && !is_near) {
-            const double room = fit.radius - distance;
-            is_near = room <= 0 ||
-                      squared_norm(fit.kind == Kind::cylinder ? Vec3{q.x, q.y, 0} : from_core(fit, q)) > room * room;
-        }
-        if (is_near) {
-            near.points.push_back(p);
-        }
-    }
+    std::copy_if(cloud.points.begin(), cloud.points.end(), std::back_inserter(near.points),
+                 [&](const Vec3& p) { return is_near_boundary(fit, fit.local(p), distance); });
     return near;
 }
 

@@ -2,6 +2,8 @@
 
 #include "by_spheres/measured/points.hpp"
 
+#include <foam/geometry/internal/bvh.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,15 +93,9 @@ void hold_by_ellipsoid(const Held& f, std::size_t count, const float* x, const f
     }
 }
 
-bool meet(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 } // namespace
 
 Box bounds(const Fit& fit) {
-    Box box;
     Vec3 reach;
     for (int i = 0; i < 3; ++i) {
         reach[i] = fit.kind == Kind::cylinder ? fit.radius * std::hypot(fit.axes[0][i], fit.axes[1][i])
@@ -113,9 +109,7 @@ Box bounds(const Fit& fit) {
             reach[i] += std::abs(fit.axes[static_cast<std::size_t>(k)][i]) * fit.half[k];
         }
     }
-    box.add(fit.center - reach);
-    box.add(fit.center + reach);
-    return box;
+    return Box::about(fit.center, reach);
 }
 
 double OutsideLattice::outside_solid(const Vec3& p) const {
@@ -156,7 +150,7 @@ void OutsideLattice::look(std::span<const Fit> others, const Box& region, std::s
     }
     held_.assign(x_.size(), 0);
     for (const Fit& other : others) {
-        if (meet(bounds(other), region)) {
+        if (geometry::overlap(bounds(other), region)) {
             hold(other);
         }
     }

@@ -106,6 +106,13 @@ struct Box {
     Vec3 center() const { return (low + high) * 0.5; }
     Vec3 size() const { return empty() ? Vec3{} : high - low; }
     double diagonal() const { return norm(size()); }
+    /// Returns the box that reaches so far from a point along each axis.
+    static Box about(const Vec3& center, const Vec3& reach) {
+        Box box;
+        box.add(center - reach);
+        box.add(center + reach);
+        return box;
+    }
     void add(const Vec3& p) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace foam {
@@ -18,6 +20,8 @@ inline namespace [[gnu::visibility("default")]] search {
 
 /// How long a search looks for better elements. docs/guide/spherizers.md has the time of each.
 enum class Effort { fast, normal, best };
+/// Returns the effort of a word: "fast"; nothing for any other word.
+std::optional<Effort> effort_named(std::string_view word);
 
 struct CoverOptions {
     /// The kinds of elements that may be used, at least one; of several the best is chosen for each element.
@@ -61,13 +65,14 @@ private:
 };
 
 /// Returns at most `count` elements (at least 1) of the kinds that cover the whole surface of the solid and are good by
-/// the objective. The result is the same on any number of threads, and for spheres alone it is that of spherize().
-/// Throws where CoverSearch does.
+/// the objective. The result is the same on any number of threads. For spheres alone it is that of spherize(), but a
+/// solid of no more than `count` balls is covered by these, unless the objective is the radius: nothing covers it with
+/// less. Throws where CoverSearch does.
 Cover cover(const Solid& solid, std::size_t count, const CoverOptions& options = {});
 /// Returns the same for a mesh: metres, any frame.
 Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options = {});
-/// Returns the same for points, each with a radius: the surface of the union of these balls is covered, by the balls
-/// themselves if spheres may be used and there are no more of them. See solid_of_balls().
+/// Returns the same for points, each with a radius: the surface of the union of these balls is covered. See
+/// solid_of_balls().
 Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options = {});
 
 } // namespace search

@@ -49,6 +49,12 @@ template <class A, class B> bool overlap(const A& a, const B& b) {
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+/// Returns whether a point is in a node's box, or on its boundary.
+inline bool contains(const BvhNode& node, const Vec3& p) {
+    return p.x >= node.low.x && p.x <= node.high.x && p.y >= node.low.y && p.y <= node.high.y && p.z >= node.low.z &&
+           p.z <= node.high.z;
+}
+
 /// Returns the squared distance from a point to a node's box; 0 inside.
 inline double squared_distance(const BvhNode& node, const Vec3& p) {
     const double dx = std::max(std::max(node.low.x - p.x, p.x - node.high.x), 0.0);

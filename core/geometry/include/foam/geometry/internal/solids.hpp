@@ -14,9 +14,9 @@ inline namespace [[gnu::visibility("default")]] geometry {
 /// at once: proofs need nothing but the surface. Its surface is wound as given.
 std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts);
 
-/// Returns bounds on the figures, in the time that a proof takes: as if the solid had no volume, so that all of the
-/// elements is excess, and as if their surface were exposed as far from the solid as it can be, the diagonal of the box
-/// around both.
+/// Returns bounds on the figures, in the time that a proof takes. All of the elements counts as excess, as if the solid
+/// had no volume. Their surface counts as exposed, at the largest possible distance: the diagonal of the box around
+/// both.
 Measures bounds_of_measures(const Solid& solid, const Elements& elements);
 
 /// Number of triangles above which a solid has a coarse one.
@@ -31,8 +31,8 @@ inline constexpr std::size_t many_triangles = 100'000;
 std::shared_ptr<const Solid> coarse_solid(const Solid& solid);
 
 /// Returns the solid united with its inside: with the cells of a grid from which most lines meet the solid on both
-/// sides (ray stabbing of Nooruddin and Turk 2003, with a majority in place of all lines, so that holes in a wall do
-/// not matter). The same solid if there is no such cell. A cell has 1/48 of the longest edge of the solid's box; cells
+/// sides. This is the ray stabbing of Nooruddin and Turk 2003. A majority of the lines is enough, so that holes in a
+/// wall do not matter. The same solid if there is no such cell. A cell has 1/48 of the longest edge of the solid's box; cells
 /// that meet the surface are left out, so the filled inside is smaller than the true one. Lines go from cell to cell: a
 /// hole in a wall that is narrower than a cell may be closed to them. A sheet without volume meets no line.
 std::shared_ptr<const Solid> filled(const std::shared_ptr<const Solid>& solid);

@@ -60,8 +60,8 @@ public:
 
     const Mesh& mesh() const { return mesh_; }
     const Mesh& welded();
-    /// Returns the defects of the mesh as it is indexed if that is sound (bodies that touch may have vertices at one
-    /// place), else of the mesh with equal vertices welded (raw files give every triangle its own vertices).
+    /// Returns the defects of the mesh as it is indexed, if that is sound: bodies that touch may have vertices at one
+    /// place. Else returns those of the mesh with equal vertices welded: raw files give every triangle its own.
     const Topology& defects();
     /// Returns the signed volume; absent unless closed and oriented.
     std::optional<double> volume();
