@@ -66,6 +66,10 @@ public:
                                [&](const auto& plane) { return dot(plane.first, q) <= plane.second; }) ||
                    holds_exactly(p);
         }
+        if (e_.kind == Kind::ellipsoid) {
+            const LongVec u{q.x / e_.half.x, q.y / e_.half.y, q.z / e_.half.z};
+            return dot(u, u) <= 1;
+        }
         if (e_.kind == Kind::cylinder) {
             return q.x * q.x + q.y * q.y <= r * r && std::abs(q.z) <= e_.half.z;
         }
@@ -204,7 +208,7 @@ class EachKind : public ::testing::TestWithParam<Kind> {};
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EachKind,
                          ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull), // the jury knows no ellipsoids: ellipsoid_test
+                                           Kind::hull, Kind::ellipsoid),
                          [](const auto& kind) { return to_string(kind.param); });
 
 #ifdef FOAM_TEST_FEW
@@ -317,7 +321,7 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
     ASSERT_TRUE(certify(*solid, Elements(std::vector<Element>{good})).holds);
     for (const double bad : {nan, infinity, -1.0}) {
         Element e = good;
-        (GetParam() == Kind::hull || GetParam() == Kind::box ? e.half.x : e.radius) = bad;
+        (GetParam() == Kind::hull || GetParam() == Kind::box || GetParam() == Kind::ellipsoid ? e.half.x : e.radius) = bad;
         EXPECT_FALSE(is_valid(e));
         EXPECT_FALSE(certify(*solid, Elements(std::vector<Element>{e})).holds);
         if (GetParam() == Kind::sphere) { // which has no rotation, and grows from any radius
