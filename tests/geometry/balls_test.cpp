@@ -14,14 +14,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {{a, b, c}, {{0, 1, 2}}};
-}
-
-Vec3 random_vector(Random& random, double size) {
-    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-
 double area_of(const geometry::Corners& t) {
     return 0.5 * norm(cross(t.b - t.a, t.c - t.a));
 }

@@ -20,10 +20,6 @@ double gap_at(const Vec3& p, const std::vector<Sphere>& spheres) {
     return std::max(gap, 0.0);
 }
 
-Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {{a, b, c}, {{0, 1, 2}}};
-}
-
 } // namespace
 
 TEST(Certificate, OneSphere) {
@@ -231,6 +227,35 @@ TEST(Certificate, TellsWhatItTook) {
     EXPECT_EQ(halvings(often), 3u);
     EXPECT_EQ(halvings(together(often, once)), 3u);
     EXPECT_EQ(halvings(together(once, often)), 3u);
+}
+
+TEST(Certificate, ATriangleUnderARowIsCutOnceForEachPairOrLess) {
+    const auto took = [](int count) {
+        const auto solid = Solid::make(triangle({0, 0, 0}, {double(count), 0, 0}, {0, 1, 0}));
+        const geometry::CoverProof proof = geometry::prove_cover(*solid, row_of_balls(count, 1.2));
+        EXPECT_TRUE(proof.certificate.holds);
+        return std::pair(proof.certificate.pieces - 1, proof.halvings);
+    };
+    EXPECT_EQ(took(1), std::pair(std::size_t{0}, 0u));
+    EXPECT_EQ(took(2), std::pair(std::size_t{2}, 1u));
+    const auto [pieces, cuts] = took(5);
+    EXPECT_EQ(pieces, 6u) << "three cuts: balls hold more than their part";
+    EXPECT_GE(cuts, 2u);
+    EXPECT_LE(cuts, 4u);
+}
+
+TEST(Certificate, SaysNoWhereAPartIsOpen) {
+    // Each ball in turn is too small for its part.
+    const auto solid = Solid::make(triangle({0, 0, 0}, {4, 0, 0}, {0, 1, 0}));
+    const std::vector<Sphere> row = row_of_balls(4, 0.87);
+    ASSERT_TRUE(certify(*solid, row).holds);
+    for (std::size_t smaller = 0; smaller < 4; ++smaller) {
+        std::vector<Sphere> spheres = row;
+        spheres[smaller].radius = 0.2;
+        EXPECT_FALSE(certify(*solid, spheres).holds) << smaller;
+    }
+    EXPECT_FALSE(certify(*solid, row_of_balls(4, 0.1)).holds);
+    EXPECT_FALSE(certify(*solid, std::vector<Sphere>{}).holds) << "no balls";
 }
 
 TEST(Certificate, DepthIsOfHalvings) {

@@ -6,17 +6,12 @@
 #include <gtest/gtest.h>
 
 using namespace foam;
+using test::box_between;
 using Kind = Element::Kind;
 
 namespace {
 
 constexpr double hair = 1e-10;
-
-Element box_between(const Vec3& low, const Vec3& high) {
-    Element e{.kind = Kind::box, .half = (high - low) * 0.5};
-    e.pose.translation = (low + high) * 0.5;
-    return e;
-}
 
 std::vector<Element> grown_over(const Mesh& mesh, const std::vector<Element>& elements) {
     const auto solid = Solid::make(mesh);

@@ -49,7 +49,7 @@ BELONG = {
     "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
     "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
     "geometry/src/proof/bodies.cpp": ["geometry/bodies_test", "geometry/bodies_of_nothing_test", "geometry/near_bodies_test"] + ELEMENTS,
-    "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
+    "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test", "geometry/triangles_across_test"] + ELEMENTS,
     "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
     "geometry/src/convex/polytope.cpp": ["geometry/faces_moved_test", "geometry/grown_to_points_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
     "geometry/src/convex/hull.cpp": ENLARGED + ELEMENTS,
