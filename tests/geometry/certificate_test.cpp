@@ -154,6 +154,17 @@ TEST(Certificate, SpheresThatAreNone) {
     EXPECT_TRUE(certify(*cube, std::vector<Sphere>{{{nan, 0, 0}, 5}, {{}, 2}, {{}, nan}}).holds);
 }
 
+TEST(Certificate, SpheresOfNoUsableSizeHoldNoPoint) {
+    const auto point = Solid::make(triangle({}, {}, {}));
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double radius : {1.001e-140, 0.999e150}) {
+        EXPECT_TRUE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
+    }
+    for (const double radius : {0.999e-140, 1.001e150, 0.0, -1.0, std::nan(""), infinity}) { // the square of -1 is positive
+        EXPECT_FALSE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
+    }
+}
+
 TEST(Certificate, DegenerateTrianglesMustBeCoveredToo) {
     Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     mesh.vertices.push_back({3, 0, 0});
@@ -183,6 +194,32 @@ TEST(Certificate, ASphereCoversItsPrimitive) {
     const auto capsule = primitive_solid(Element::capsule(0.25, 1));
     EXPECT_TRUE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 + 1e-9}}).holds);
     EXPECT_FALSE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 - 1e-9}}).holds);
+}
+
+TEST(Certificate, RoundPartsInClosedForm) {
+    // Such a part takes no pieces where one ball of the radius in closed form holds it, rounded up.
+    const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
+    const Vec3 middle = pose.translation, away{0.1, 0.2, -0.3}, half = pose.rotate({0, 0, 0.2});
+    const auto ball = primitive_solid(Element::sphere(0.2), pose), capsule = primitive_solid(Element::capsule(0.1, 0.4), pose);
+    const auto held = [](const Solid& solid, const Vec3& center, double radius) {
+        const Certificate certificate = certify(solid, std::vector<Sphere>{{center, radius}, {{std::nan(""), 0, 0}, 9}});
+        EXPECT_EQ(certificate.holds, certificate.pieces == 0);
+        return certificate.holds;
+    };
+    EXPECT_TRUE(held(*ball, middle, 0.2)) << "exact about the same centre";
+    EXPECT_FALSE(held(*ball, middle, std::nextafter(0.2, 0)));
+    const double around_ball = 0.2 + norm(away), farthest = std::max(norm(away - half), norm(away + half));
+    for (const auto& [part, center, radius] :
+         {std::tuple(&*ball, middle + away, around_ball), std::tuple(&*capsule, middle + away, 0.1 + farthest),
+          std::tuple(&*capsule, middle, 0.3)}) { // only about a sphere's own centre is no rounding
+        EXPECT_TRUE(held(*part, center, radius + 1e-12)) << radius;
+        EXPECT_FALSE(held(*part, center, radius)) << radius;
+        EXPECT_FALSE(held(*part, center, std::numeric_limits<double>::infinity())) << "not a ball";
+    }
+    // Boxes and cylinders are none.
+    for (const Element& other : {Element::box({0.1, 0.1, 0.1}), Element::cylinder(0.1, 0.4)}) {
+        EXPECT_GT(certify(*primitive_solid(other, pose), std::vector<Sphere>{{middle, 9}}).pieces, 0u);
+    }
 }
 
 namespace {

@@ -66,7 +66,7 @@ BELONG = {
     "collision/src/proof.cpp": ["self_collision/touching_proof_test", "self_collision/proof_test", *MATRIX],
     "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/touching_proof_test", "self_collision/proof_test"],
     "collision/src/simplex.cpp": ["self_collision/simplex_test", "self_collision/separation_test"],
-    "collision/src/link_shapes.cpp": ["self_collision/ball_group_test", *MATRIX],
+    "collision/src/link_shapes.cpp": ["self_collision/touching_links_test", *MATRIX],
     "collision/src/matrix.cpp": MATRIX,
     "search/src/convex/orientation_bounds.cpp": ["convex/orientation_bounds_test", "convex/least_element_test"],
     "search/src/convex/proved_least.cpp": ["convex/proved_least_test", "convex/least_element_test"],
