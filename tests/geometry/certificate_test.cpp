@@ -281,6 +281,28 @@ TEST(Certificate, ATriangleUnderARowIsCutOnceForEachPairOrLess) {
     EXPECT_LE(cuts, 4u);
 }
 
+TEST(Certificate, ManyCornersAreLeftToHalving) {
+    // A ball about a corner of the triangle, and others in an arc before it: its part has a corner between any two. Cuts
+    // take few pieces, halving takes thousands.
+    for (const int around : {2, 5, 8, 9, 10, 11, 12, 16, 20}) {
+        const double between = std::numbers::pi / 3 / around, radius = (1 + 1e-4) / std::cos(between / 2);
+        std::vector<Sphere> spheres{{{0, 0, 0}, radius}};
+        for (int k = 0; k < around; ++k) {
+            const double angle = (k + 0.5) * between;
+            spheres.push_back({2 * Vec3{std::cos(angle), std::sin(angle), 0}, radius});
+        }
+        const Vec3 a{0, 0, 0}, b{2.2, 0, 0}, c{1.1, 2.2 * std::sin(std::numbers::pi / 3), 0};
+        int halved = 0;
+        for (const Mesh& mesh : {triangle(a, b, c), triangle(b, c, a), triangle(c, a, b), triangle(a, c, b)}) {
+            const Certificate certificate = certify(*Solid::make(mesh), spheres);
+            EXPECT_TRUE(certificate.holds) << around;
+            EXPECT_TRUE(certificate.pieces < 150 || certificate.pieces > 5'000) << certificate.pieces;
+            halved += certificate.pieces > 150;
+        }
+        EXPECT_EQ(halved > 0, around > 10) << around;
+    }
+}
+
 TEST(Certificate, SaysNoWhereAPartIsOpen) {
     // Each ball in turn is too small for its part.
     const auto solid = Solid::make(triangle({0, 0, 0}, {4, 0, 0}, {0, 1, 0}));
