@@ -202,7 +202,8 @@ TEST(ProvedLeast, AMillionCellsAreTheMost) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::geometry);
-        EXPECT_THAT(error.what(), HasSubstr("the least box is not proved to 1e-15 within 1000000 cells; remedy: a larger"));
+        EXPECT_THAT(error.what(),
+                    HasSubstr("the least box is not proved to 1e-15 within 1000000 cells; remedy: a larger"));
     }
 }
 

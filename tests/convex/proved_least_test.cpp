@@ -62,7 +62,7 @@ TEST(ProvedLeast, HalvesTheCellsWhoseBoundsAreBelowTheTolerance) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         for (const auto& [kind, tolerance] : {std::pair{Kind::box, 0.07}, {Kind::cylinder, 0.05}, {Kind::capsule, 0.2}}) {
             const std::vector<Vec3> points = test::random_points(8, seed, Vec3{1, 0.6, 0.3} * (seed % 2 ? 0.02 : 30),
-                                                             Pose::from_xyz_rpy({1, 2, 3}, {3, 2, 1}));
+                                                                 Pose::from_xyz_rpy({1, 2, 3}, {3, 2, 1}));
             const Cloud cloud = cloud_of(points);
             const Fit best = least_fit(kind, cloud, Effort::best);
             CellTree tree{kind, cloud, volume(best) / (1 + tolerance)};

@@ -13,8 +13,8 @@ namespace foam::test {
 inline std::vector<Vec3> random_points(Random& random, std::size_t count, const Vec3& size, const Pose& pose = {}) {
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < count; ++i) {
-        points.push_back(
-            pose * Vec3{size.x * random.uniform(-1, 1), size.y * random.uniform(-1, 1), size.z * random.uniform(-1, 1)});
+        points.push_back(pose * Vec3{size.x * random.uniform(-1, 1), size.y * random.uniform(-1, 1),
+                                     size.z * random.uniform(-1, 1)});
     }
     return points;
 }

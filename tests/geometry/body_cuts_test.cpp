@@ -76,11 +76,11 @@ TEST(BodyCuts, WhatIsLeftOfATriangleIsOutsideTheBoxes) {
     };
     EXPECT_NEAR(left({box_between({1, 1, -1}, {2, 2, 1})}), 8 - 1, 1e-11);           // within, to an edge
     EXPECT_NEAR(left({box_between({-1, -1, -1}, {2, 3, 1})}), 8 - (6 - 0.5), 1e-11); // a corner
-    EXPECT_NEAR(left({box_between({1, 1, -1}, {1.5, 2, 1}), box_between({1.25, 0.5, -1}, {2, 1.5, 1})}), 8 - (0.5 + 0.75 - 0.125),
-                1e-11);
+    EXPECT_NEAR(left({box_between({1, 1, -1}, {1.5, 2, 1}), box_between({1.25, 0.5, -1}, {2, 1.5, 1})}),
+                8 - (0.5 + 0.75 - 0.125), 1e-11);
     EXPECT_NEAR(left({box_between({-9, -9, -1}, {9, 9, 1})}), 0, 0);
     EXPECT_NEAR(left({box_between({1, 1, 0.1}, {2, 2, 1})}), 8, 1e-11); // above it
-    EXPECT_NEAR(left({ball_about({1, 1, 0}, 0.5)}), 8, 0);            // round ones are not cut out
+    EXPECT_NEAR(left({ball_about({1, 1, 0}, 0.5)}), 8, 0);              // round ones are not cut out
     EXPECT_NEAR(left({ball_about({1, 1, 0}, 9)}), 0, 0);
     EXPECT_NEAR(left({}), 8, 0);
     for (const std::size_t pieces : {2u, 3u, 4u}) { // four are left around the first
@@ -238,7 +238,8 @@ TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
 }
 
 TEST(BodyCuts, OfAProofThatFailedNothingIsLeft) {
-    Cuts c({box_between({1, 1, -1}, {1.5, 1.5, 1}), ball_about({0, 0, 0}, 0.5), ball_about({4, 0, 0}, 0.5), ball_about({0, 4, 0}, 0.5)});
+    Cuts c({box_between({1, 1, -1}, {1.5, 1.5, 1}), ball_about({0, 0, 0}, 0.5), ball_about({4, 0, 0}, 0.5),
+            ball_about({0, 4, 0}, 0.5)});
     EXPECT_FALSE(c.cover(triangle)); // cut at the box, of which four sides are left
     EXPECT_TRUE(c.cover({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}));
 }

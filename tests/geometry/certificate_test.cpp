@@ -160,7 +160,8 @@ TEST(Certificate, SpheresOfNoUsableSizeHoldNoPoint) {
     for (const double radius : {1.001e-140, 0.999e150}) {
         EXPECT_TRUE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
     }
-    for (const double radius : {0.999e-140, 1.001e150, 0.0, -1.0, std::nan(""), infinity}) { // the square of -1 is positive
+    for (const double radius :
+         {0.999e-140, 1.001e150, 0.0, -1.0, std::nan(""), infinity}) { // the square of -1 is positive
         EXPECT_FALSE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
     }
 }
@@ -200,9 +201,11 @@ TEST(Certificate, RoundPartsInClosedForm) {
     // Such a part takes no pieces where one ball of the radius in closed form holds it, rounded up.
     const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
     const Vec3 middle = pose.translation, away{0.1, 0.2, -0.3}, half = pose.rotate({0, 0, 0.2});
-    const auto ball = primitive_solid(Element::sphere(0.2), pose), capsule = primitive_solid(Element::capsule(0.1, 0.4), pose);
+    const auto ball = primitive_solid(Element::sphere(0.2), pose),
+               capsule = primitive_solid(Element::capsule(0.1, 0.4), pose);
     const auto held = [](const Solid& solid, const Vec3& center, double radius) {
-        const Certificate certificate = certify(solid, std::vector<Sphere>{{center, radius}, {{std::nan(""), 0, 0}, 9}});
+        const Certificate certificate =
+            certify(solid, std::vector<Sphere>{{center, radius}, {{std::nan(""), 0, 0}, 9}});
         EXPECT_EQ(certificate.holds, certificate.pieces == 0);
         return certificate.holds;
     };
@@ -282,8 +285,8 @@ TEST(Certificate, ATriangleUnderARowIsCutOnceForEachPairOrLess) {
 }
 
 TEST(Certificate, ManyCornersAreLeftToHalving) {
-    // A ball about a corner of the triangle, and others in an arc before it: its part has a corner between any two. Cuts
-    // take few pieces, halving takes thousands.
+    // A ball about a corner of the triangle, and others in an arc before it: its part has a corner between any two.
+    // Cuts take few pieces, halving takes thousands.
     for (const int around : {2, 5, 8, 9, 10, 11, 12, 16, 20}) {
         const double between = std::numbers::pi / 3 / around, radius = (1 + 1e-4) / std::cos(between / 2);
         std::vector<Sphere> spheres{{{0, 0, 0}, radius}};

@@ -46,7 +46,8 @@ TEST(ElementCertificate, TheDepthIsThatOfTheSlackThatElementsLose) {
         return high;
     };
     const auto slack = [&](int halvings) { // docs/dev/certificate.md
-        const double unit = 0x1p-53, away = norm(solid->bounds().center()), extent = std::sqrt(0.5), reach = std::sqrt(8);
+        const double unit = 0x1p-53, away = norm(solid->bounds().center()), extent = std::sqrt(0.5),
+                     reach = std::sqrt(8);
         return 2 * unit * (halvings + 24) * (extent + away + reach) + 16 * unit * away;
     };
     for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {

@@ -45,9 +45,8 @@ inline std::vector<Sphere> twenty_over_slab() {
 }
 
 inline std::shared_ptr<const Solid> round_parts() {
-    return Solid::make(
-        {{nullptr, Element::capsule(0.1, 0.4), Pose{}},
-         {nullptr, Element::cylinder(0.15, 0.3), Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
+    return Solid::make({{nullptr, Element::capsule(0.1, 0.4), Pose{}},
+                        {nullptr, Element::cylinder(0.15, 0.3), Pose::from_xyz_rpy({0.2, 0, 0}, {0, 1, 0})}});
 }
 
 inline const std::vector<Sphere> four_in_round_parts{

@@ -63,8 +63,7 @@ TEST(GrownToPoints, ACylinderReachesEachPointAcrossAndAlong) {
     const Element cylinder{.kind = Kind::cylinder, .half = {0, 0, 1}, .radius = 2};
     const auto expect = [&](const std::vector<Vec3>& own, double ball, double radius, double low, double high) {
         const auto [element, points] = placed(cylinder, own, random);
-        const Element result =
-            ball > 0 ? grown_to_ball(element, points[0], ball) : grown_to_points(element, points);
+        const Element result = ball > 0 ? grown_to_ball(element, points[0], ball) : grown_to_points(element, points);
         expect_core(element, result, {0, 0, low}, {0, 0, high}, hair);
         EXPECT_NEAR(result.radius, radius, hair);
     };
@@ -183,9 +182,11 @@ double to_nearest(const Vec3& p, const Polytope& hull) {
     return nearest;
 }
 
-/// Returns the hull grown so that each of its faces moves by a length: to a point beyond its middle. The points are more
-/// than its corners, so that they do not become corners themselves. `lengths`: by which planes have to move for them.
-std::shared_ptr<const Polytope> with_faces_moved(const std::shared_ptr<const Polytope>& hull, std::vector<double>& lengths) {
+/// Returns the hull grown so that each of its faces moves by a length: to a point beyond its middle. The points are
+/// more than its corners, so that they do not become corners themselves. `lengths`: by which planes have to move for
+/// them.
+std::shared_ptr<const Polytope> with_faces_moved(const std::shared_ptr<const Polytope>& hull,
+                                                 std::vector<double>& lengths) {
     std::vector<Vec3> points;
     for (std::size_t f = 0; f < hull->faces.size(); ++f) {
         const Polytope::Face& face = hull->faces[f];

@@ -16,8 +16,8 @@ namespace {
 /// A right angle at the origin, in the plane z = 0.
 const Mesh right_angle = test::triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
 
-/// Returns the number of pieces into which the proof that elements cover a mesh cuts it; nothing if there is none. One is
-/// a box far away: spheres alone have a proof of their own.
+/// Returns the number of pieces into which the proof that elements cover a mesh cuts it; nothing if there is none. One
+/// is a box far away: spheres alone have a proof of their own.
 std::optional<std::size_t> pieces_of(const Mesh& mesh, std::vector<Element> elements) {
     elements.push_back(box_between({-0.1, -0.1, 99}, {0.1, 0.1, 100}));
     const auto solid = Solid::make(mesh);
@@ -60,7 +60,8 @@ TEST(TrianglesAcross, TwoRoundElementsThatHoldTheEdgesAreToldApartByOneCut) {
 }
 
 TEST(TrianglesAcross, TheCutBetweenTwoBallsMeetsASlantedEdgeWhereTheyHardlyOverlap) {
-    const Mesh slanted = test::triangle({0, 0, 0}, {4, 0, 0}, {0, 2, 0}); // its long edge is equally deep in both at (2, 1)
+    const Mesh slanted =
+        test::triangle({0, 0, 0}, {4, 0, 0}, {0, 2, 0}); // its long edge is equally deep in both at (2, 1)
     for (const double overlap : {1e-3, 1e-6, 1e-9}) {
         const double radius = std::sqrt(5.0) + overlap;
         const Element right = ball_about({4, 0, 0}, radius);

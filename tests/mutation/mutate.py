@@ -29,7 +29,7 @@ INNER = ["geometry/rim_test", "geometry/inner_test"]
 ELEMENTS = ["evaluate/element_adversary_test", "evaluate/two_elements_adversary_test", "evaluate/element_shells_test",
             "evaluate/element_growth_ends_test", "geometry/element_certificate_test"]
 
-ENLARGED = ["geometry/element_enlarged_test", "geometry/grown_to_points_test", "geometry/element_test"]
+ENLARGED = ["geometry/element_enlarged_test", "geometry/grown_to_points_test", "geometry/element_test", "geometry/element_growth_test"]
 
 MATRIX = [f"self_collision/matrix{part}_test" for part in ("", "_samples", "_geometry")]
 

@@ -20,7 +20,8 @@ bool touch(const std::vector<Solid::Part>& a, const std::vector<Solid::Part>& b,
     LinkSolids solids(kinematics.robot().links.size());
     solids.front() = Solid::make(a);
     solids.back() = Solid::make(b);
-    const CollisionModel model{.robot = arm.robot(), .elements = std::vector<Elements>(solids.size()), .sources = {}, .notes = {}};
+    const CollisionModel model{
+        .robot = arm.robot(), .elements = std::vector<Elements>(solids.size()), .sources = {}, .notes = {}};
     return consequences_of(kinematics, model, solids, {}, {}).pairs.empty();
 }
 
@@ -44,8 +45,10 @@ TEST(TouchingLinks, TouchAsOneOfTheirPrimitivesDoes) {
     for (int round = 0; round < 1500; ++round) {
         const std::size_t kind = static_cast<std::size_t>(round % 8 + 1); // each has spheres, others, or both
         const Pose pose_a = test::random_pose(random, 0.3), pose_b = test::random_pose(random, 0.3);
-        const std::vector<Solid::Part> a = some_parts(random, kind % 3, kind % 3 == 0 || kind > 5 ? 1 + kind % 2 : 0, pose_a),
-                                       b = some_parts(random, (kind + 1) % 3, (kind + 1) % 3 == 0 || kind > 3 ? 2 : 0, pose_b);
+        const std::vector<Solid::Part> a = some_parts(random, kind % 3, kind % 3 == 0 || kind > 5 ? 1 + kind % 2 : 0,
+                                                      pose_a),
+                                       b = some_parts(random, (kind + 1) % 3, (kind + 1) % 3 == 0 || kind > 3 ? 2 : 0,
+                                                      pose_b);
         Pose place;
         place.translation = test::random_vector(random, 0.3);
         bool expected = false;
