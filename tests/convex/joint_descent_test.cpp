@@ -27,13 +27,6 @@ std::shared_ptr<const Solid> boxes(const std::vector<Box>& all) {
     }
     return Solid::make(std::move(parts));
 }
-Box box_of(const Vec3& low, const Vec3& high) {
-    Box box;
-    box.add(low);
-    box.add(high);
-    return box;
-}
-
 struct Scene {
     explicit Scene(std::shared_ptr<const Solid> given)
         : solid(std::move(given)), body(body_of(*solid)), occupancy(*solid, by_spheres::Frame(solid->bounds()), 48) {}
@@ -91,7 +84,7 @@ struct Scene {
 };
 
 TEST(OutsideLattice, HasTheVolumeOfEveryKind) {
-    const Scene scene(boxes({box_of({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})}));
+    const Scene scene(boxes({Box{{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}}}));
     const double inside = scene.solid->volume() / std::pow(scene.body.unit, 3);
     const Fit turned_axes{.axes = turned({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {0.3, -0.5, 0.8})};
     for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::ellipsoid}) {
@@ -108,7 +101,7 @@ TEST(OutsideLattice, HasTheVolumeOfEveryKind) {
 }
 
 TEST(OutsideLattice, CountsWhatIsBeyondTheRegionAndNotWhatOthersHold) {
-    const Scene scene(boxes({box_of({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})}));
+    const Scene scene(boxes({Box{{-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}}}));
     const Fit ball = scene.in_units({.kind = Kind::sphere, .center = {1, 0, 0}, .radius = 0.2});
     OutsideLattice lattice(scene.occupancy);
     lattice.look({}, scene.solid->bounds(), 1000);
@@ -119,7 +112,7 @@ TEST(OutsideLattice, CountsWhatIsBeyondTheRegionAndNotWhatOthersHold) {
 }
 
 TEST(JointDescent, TwoTurnedBoxesBecomeAnL) {
-    const Box one = box_of({0, 0, 0}, {1, 0.2, 0.2}), two = box_of({0, 0, 0}, {0.2, 1, 0.2});
+    const Box one{{0, 0, 0}, {1, 0.2, 0.2}}, two{{0, 0, 0}, {0.2, 1, 0.2}};
     const Scene scene(boxes({one, two}));
     const auto turned_around = [&](const Box& box, const Vec3& by) {
         Cloud corners;
@@ -143,7 +136,7 @@ TEST(JointDescent, TwoTurnedBoxesBecomeAnL) {
 }
 
 TEST(JointDescent, EveryKindGoesOnToHold) {
-    const Scene scene(boxes({box_of({0, 0, 0}, {1, 0.2, 0.2}), box_of({0, 0, 0}, {0.2, 1, 0.2})}));
+    const Scene scene(boxes({Box{{0, 0, 0}, {1, 0.2, 0.2}}, Box{{0, 0, 0}, {0.2, 1, 0.2}}}));
     for (const Kind kind : {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::swept_box, Kind::ellipsoid}) {
         const auto along = [&](const Vec3& center, const std::array<Vec3, 3>& axes) {
             Fit fit{.kind = kind, .axes = axes, .center = center, .radius = kind == Kind::sphere ? 0.7 : 0.3};
@@ -165,7 +158,7 @@ TEST(JointDescent, EveryKindGoesOnToHold) {
 }
 
 TEST(JointDescent, DropsWhatHoldsNothingAlone) {
-    const Scene scene(boxes({box_of({0, 0, 0}, {1, 0.2, 0.2})}));
+    const Scene scene(boxes({Box{{0, 0, 0}, {1, 0.2, 0.2}}}));
     const Fit all = scene.in_units({.kind = Kind::box, .center = {0.5, 0.1, 0.1}, .half = {0.5, 0.1, 0.1}});
     const Fit part = scene.in_units({.kind = Kind::sphere, .center = {0.5, 0.1, 0.1}, .radius = 0.05});
     const std::vector<Fit> found =

@@ -1,8 +1,11 @@
 // foam::least_element(): it holds the points, is the least where that is known, and near the proved bound elsewhere.
+#include "convex/random_points.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/random.hpp>
 #include <foam/search/least_element.hpp>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,16 +14,9 @@
 namespace {
 
 using namespace foam;
+using test::random_points;
+using ::testing::HasSubstr;
 using Kind = Element::Kind;
-
-std::vector<Vec3> random_points(std::size_t count, std::uint64_t seed) {
-    Random random(seed);
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.push_back({random.uniform(-1, 1), 0.6 * random.uniform(-1, 1), 0.3 * random.uniform(-1, 1)});
-    }
-    return points;
-}
 
 Pose some_pose(std::uint64_t seed) {
     Random random(seed);
@@ -174,6 +170,40 @@ TEST(LeastElement, RefusesWhatHasNoElement) {
     EXPECT_EQ(refusal(Kind::box, 0.1, infinite), ErrorCode::geometry);
     for (const double tolerance : {0.0, -0.1, std::nan("")}) { // at once, not after a million cells
         EXPECT_EQ(refusal(Kind::box, tolerance, points), ErrorCode::usage);
+    }
+}
+
+TEST(ProvedLeast, OfAPointIsTheThicknessOfElements) {
+    const std::vector<Vec3> point{{1, 2, 3}};
+    for (const Kind kind : {Kind::box, Kind::cylinder}) {
+        const ProvedElement proved = proved_least(kind, point, 0.1);
+        EXPECT_GT(proved.lower_bound, 0);
+        EXPECT_LE(proved.lower_bound, proved.volume);
+        EXPECT_EQ(proved.cells, kind == Kind::box ? 1u : 3u) << to_string(kind);
+    }
+}
+
+TEST(ProvedLeast, OnePointThatIsNotFiniteIsRefused) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<Vec3> points = random_points(4, 1, {1, 1, 1});
+        points[k].y = k % 2 ? std::nan("") : INFINITY;
+        try {
+            proved_least(Kind::box, points, 0.1);
+            FAIL();
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("an element needs one or more points with finite coordinates"));
+        }
+    }
+}
+
+TEST(ProvedLeast, AMillionCellsAreTheMost) {
+    try {
+        proved_least(Kind::box, random_points(4, 1), 1e-15);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::geometry);
+        EXPECT_THAT(error.what(),
+                    HasSubstr("the least box is not proved to 1e-15 within 1000000 cells; remedy: a larger"));
     }
 }
 

@@ -1,4 +1,5 @@
 // The bounds that a proof of a least element rests on: no element along an orientation of a cell is smaller.
+#include "convex/random_points.hpp"
 #include "geometry/plain_shapes.hpp"
 #include "search/src/convex/least_fit.hpp"
 
@@ -51,13 +52,9 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 /// Points of all kinds of shapes: long, flat, even.
 Cloud random_cloud(Random& random) {
-    std::vector<Vec3> points;
     const Vec3 size{random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1)};
     const Pose pose = test::random_pose(random, 1);
-    for (int k = 0; k < 12; ++k) {
-        points.push_back(pose * Vec3{size.x * random.uniform(-1, 1), size.y * random.uniform(-1, 1),
-                                     size.z * random.uniform(-1, 1)});
-    }
+    const std::vector<Vec3> points = test::random_points(random, 12, size, pose);
     return cloud_of(points);
 }
 
@@ -214,6 +211,7 @@ TEST(OrientationBounds, ALineBetweenTwoPointsIsKnown) {
         const std::array<Vec3, 3> axes = frame_along(along);
         const double angle = random.uniform(0, 1.5);
         EXPECT_NEAR(bound_of_box(cloud, axes, 0), length * 4 * thin * thin, 1e-12 * thin * thin) << "exact along it";
+        EXPECT_DOUBLE_EQ(bound_of_box(cloud, axes, 2), 8 * thin * thin * thin) << "there is always a thickness";
         const Fit cylinder = cylinder_along(cloud, along);
         EXPECT_NEAR(bound_of_cylinder(cloud, cylinder, angle), pi * thin * thin * length * std::cos(angle), 1e-18);
     }
@@ -243,15 +241,6 @@ TEST(OrientationBounds, ATurnedCylinderHasNoLessThanItsBound) {
             }
         }
     }
-}
-
-TEST(OrientationBounds, ThereIsAlwaysAThickness) {
-    const std::vector<Vec3> line{{0, 0, 0}, {1, 0, 0}};
-    const Cloud cloud = cloud_of(line);
-    EXPECT_DOUBLE_EQ(bound_of_box(cloud, axes_at({}), 0), 4 * thin * thin);
-    EXPECT_DOUBLE_EQ(bound_of_box(cloud, axes_at({}), 2), 8 * thin * thin * thin);
-    const Fit cylinder = cylinder_along(cloud, {1, 0, 0});
-    EXPECT_NEAR(bound_of_cylinder(cloud, cylinder, 1.5), pi * thin * thin * std::cos(1.5), 1e-18);
 }
 
 } // namespace

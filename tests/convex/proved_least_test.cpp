@@ -1,32 +1,18 @@
 // The proof of a least element against its definition: a tree of cells, each halved until its bound is near the least.
-#include "geometry/plain_shapes.hpp"
+#include "convex/random_points.hpp"
 #include "search/src/convex/least_fit.hpp"
 
-#include <foam/base/error.hpp>
 #include <foam/search/least_element.hpp>
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace foam {
 namespace {
 
 using namespace search::convex;
-using std::numbers::pi;
-using ::testing::HasSubstr;
 using Kind = Element::Kind;
-
-std::vector<Vec3> points_by_chance(std::size_t count, std::uint64_t seed, const Vec3& size, const Pose& pose = {}) {
-    Random random(seed);
-    std::vector<Vec3> points;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.push_back(
-            pose * Vec3{size.x * random.uniform(-1, 1), size.y * random.uniform(-1, 1), size.z * random.uniform(-1, 1)});
-    }
-    return points;
-}
 
 /// The bound of a cell, and the least element along the orientation in its middle.
 std::pair<double, Fit> bound_of(Kind kind, const Cloud& cloud, const Orientations& cell) {
@@ -75,8 +61,8 @@ TEST(ProvedLeast, HalvesTheCellsWhoseBoundsAreBelowTheTolerance) {
     std::size_t compared = 0;
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         for (const auto& [kind, tolerance] : {std::pair{Kind::box, 0.07}, {Kind::cylinder, 0.05}, {Kind::capsule, 0.2}}) {
-            const std::vector<Vec3> points = points_by_chance(8, seed, Vec3{1, 0.6, 0.3} * (seed % 2 ? 0.02 : 30),
-                                                             Pose::from_xyz_rpy({1, 2, 3}, {3, 2, 1}));
+            const std::vector<Vec3> points = test::random_points(8, seed, Vec3{1, 0.6, 0.3} * (seed % 2 ? 0.02 : 30),
+                                                                 Pose::from_xyz_rpy({1, 2, 3}, {3, 2, 1}));
             const Cloud cloud = cloud_of(points);
             const Fit best = least_fit(kind, cloud, Effort::best);
             CellTree tree{kind, cloud, volume(best) / (1 + tolerance)};
@@ -101,7 +87,7 @@ TEST(ProvedLeast, TakesTheLeastOfAllThatItSees) {
     std::size_t better = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         for (const Kind kind : {Kind::box, Kind::cylinder}) {
-            const std::vector<Vec3> points = points_by_chance(5, seed, {1, 0.8, 0.6});
+            const std::vector<Vec3> points = test::random_points(5, seed, {1, 0.8, 0.6});
             const Cloud cloud = cloud_of(points);
             const double cube = std::pow(cloud.unit, 3);
             const ProvedElement proved = proved_least(kind, points, tolerance);
@@ -118,39 +104,6 @@ TEST(ProvedLeast, TakesTheLeastOfAllThatItSees) {
         }
     }
     EXPECT_GT(better, 0u) << "else this test says little";
-}
-
-TEST(ProvedLeast, OfAPointIsTheThicknessOfElements) {
-    const std::vector<Vec3> point{{1, 2, 3}};
-    for (const Kind kind : {Kind::box, Kind::cylinder}) {
-        const ProvedElement proved = proved_least(kind, point, 0.1);
-        EXPECT_GT(proved.lower_bound, 0);
-        EXPECT_LE(proved.lower_bound, proved.volume);
-        EXPECT_EQ(proved.cells, kind == Kind::box ? 1u : 3u) << to_string(kind);
-    }
-}
-
-TEST(ProvedLeast, OnePointThatIsNotFiniteIsRefused) {
-    for (std::size_t k = 0; k < 4; ++k) {
-        std::vector<Vec3> points = points_by_chance(4, 1, {1, 1, 1});
-        points[k].y = k % 2 ? std::nan("") : INFINITY;
-        try {
-            proved_least(Kind::box, points, 0.1);
-            FAIL();
-        } catch (const Error& error) {
-            EXPECT_THAT(error.what(), HasSubstr("an element needs one or more points with finite coordinates"));
-        }
-    }
-}
-
-TEST(ProvedLeast, AMillionCellsAreTheMost) {
-    try {
-        proved_least(Kind::box, points_by_chance(4, 1, {1, 0.6, 0.3}), 1e-15);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::geometry);
-        EXPECT_THAT(error.what(), HasSubstr("the least box is not proved to 1e-15 within 1000000 cells; remedy: a larger"));
-    }
 }
 
 } // namespace

@@ -72,5 +72,13 @@ TEST(Text, WidthsAreColumns) {
     EXPECT_EQ(shown_width("e\u0301"), 1u);
 }
 
+TEST(Text, Base64OfRfc4648) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\xFF\x00\xFE", 3)), "/wD+");
+}
+
 } // namespace
 } // namespace foam

@@ -13,6 +13,7 @@
 #include <numbers>
 
 using namespace foam;
+using test::random_vector, test::triangle;
 using ::testing::HasSubstr;
 
 namespace {
@@ -40,14 +41,6 @@ QuadVec placed(const Pose& pose, const Vec3& v) {
 bool inside(const QuadVec& p, const Sphere& ball) {
     const Quad x = p.x - ball.center.x, y = p.y - ball.center.y, z = p.z - ball.center.z;
     return x * x + y * y + z * z <= Quad(ball.radius) * ball.radius;
-}
-
-Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {{a, b, c}, {{0, 1, 2}}};
-}
-
-Vec3 random_vector(Random& random, double size) {
-    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
 QuadVec operator+(const QuadVec& a, const QuadVec& b) {

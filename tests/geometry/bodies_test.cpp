@@ -1,6 +1,6 @@
 // Eroded elements: what they hold, and the slack of docs/dev/certificate.md.
 #include "evaluate/element_truth.hpp"
-#include "geometry/some_elements.hpp"
+#include "geometry/each_body.hpp"
 #include "geometry/src/convex/polytope.hpp"
 #include "geometry/src/proof/bodies.hpp"
 
@@ -28,14 +28,7 @@ double reach_of(const Element& e, Vec3& middle) {
     return reach;
 }
 
-class EachBody : public ::testing::TestWithParam<Kind> {
-protected:
-    Random random{derive_seed(21, to_string(GetParam()))};
-};
-INSTANTIATE_TEST_SUITE_P(Kinds, EachBody,
-                         ::testing::Values(Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box,
-                                           Kind::hull),
-                         [](const auto& kind) { return to_string(kind.param); });
+INSTANTIATE_TEST_SUITE_P(Kinds, EachBody, eroded_kinds, name_of_kind);
 
 TEST_P(EachBody, TheSlackIsThatOfTheArgument) {
     for (int k = 0; k < 20; ++k) {

@@ -9,23 +9,13 @@
 
 using namespace foam;
 using namespace foam::geometry;
+using test::ball_about, test::box_between;
 using Kind = Element::Kind;
 
 namespace {
 
 constexpr std::uint32_t most_halvings = 120;
 constexpr std::size_t plenty = 10'000;
-
-Element box_of(const Vec3& low, const Vec3& high) {
-    Element e{.kind = Kind::box, .half = (high - low) * 0.5};
-    e.pose.translation = (low + high) * 0.5;
-    return e;
-}
-Element ball_of(const Vec3& center, double radius) {
-    Element e{.kind = Kind::sphere, .radius = radius};
-    e.pose.translation = center;
-    return e;
-}
 
 double area_of(const Corners& t) {
     return norm(cross(t.b - t.a, t.c - t.a)) / 2;
@@ -56,6 +46,14 @@ struct Cuts {
     bool cover(const Corners& t, double smallest = 1e-9, std::size_t most_pieces = plenty) {
         return cuts.cover(t, all, smallest, most_pieces);
     }
+    /// The area of what is left of a triangle.
+    double left_of(const Corners& t) {
+        double area = 0;
+        for (const std::vector<Vec3>& polygon : cuts.rest(t, all, plenty)) {
+            area += area_of(polygon);
+        }
+        return area;
+    }
 };
 
 TEST(BodyCuts, WhatIsLeftOfATriangleIsOutsideTheBoxes) {
@@ -76,65 +74,46 @@ TEST(BodyCuts, WhatIsLeftOfATriangleIsOutsideTheBoxes) {
         }
         return area;
     };
-    EXPECT_NEAR(left({box_of({1, 1, -1}, {2, 2, 1})}), 8 - 1, 1e-11);           // within, to an edge
-    EXPECT_NEAR(left({box_of({-1, -1, -1}, {2, 3, 1})}), 8 - (6 - 0.5), 1e-11); // a corner
-    EXPECT_NEAR(left({box_of({1, 1, -1}, {1.5, 2, 1}), box_of({1.25, 0.5, -1}, {2, 1.5, 1})}), 8 - (0.5 + 0.75 - 0.125),
-                1e-11);
-    EXPECT_NEAR(left({box_of({-9, -9, -1}, {9, 9, 1})}), 0, 0);
-    EXPECT_NEAR(left({box_of({1, 1, 0.1}, {2, 2, 1})}), 8, 1e-11); // above it
-    EXPECT_NEAR(left({ball_of({1, 1, 0}, 0.5)}), 8, 0);            // round ones are not cut out
-    EXPECT_NEAR(left({ball_of({1, 1, 0}, 9)}), 0, 0);
+    EXPECT_NEAR(left({box_between({1, 1, -1}, {2, 2, 1})}), 8 - 1, 1e-11);           // within, to an edge
+    EXPECT_NEAR(left({box_between({-1, -1, -1}, {2, 3, 1})}), 8 - (6 - 0.5), 1e-11); // a corner
+    EXPECT_NEAR(left({box_between({1, 1, -1}, {1.5, 2, 1}), box_between({1.25, 0.5, -1}, {2, 1.5, 1})}),
+                8 - (0.5 + 0.75 - 0.125), 1e-11);
+    EXPECT_NEAR(left({box_between({-9, -9, -1}, {9, 9, 1})}), 0, 0);
+    EXPECT_NEAR(left({box_between({1, 1, 0.1}, {2, 2, 1})}), 8, 1e-11); // above it
+    EXPECT_NEAR(left({ball_about({1, 1, 0}, 0.5)}), 8, 0);              // round ones are not cut out
+    EXPECT_NEAR(left({ball_about({1, 1, 0}, 9)}), 0, 0);
     EXPECT_NEAR(left({}), 8, 0);
     for (const std::size_t pieces : {2u, 3u, 4u}) { // four are left around the first
-        EXPECT_NEAR(left({box_of({1, 1, -1}, {1.5, 1.5, 1}), box_of({0.5, 0.5, -1}, {0.9, 0.9, 1})}, pieces),
+        EXPECT_NEAR(left({box_between({1, 1, -1}, {1.5, 1.5, 1}), box_between({0.5, 0.5, -1}, {0.9, 0.9, 1})}, pieces),
                     8 - 0.25 - (pieces < 4 ? 0 : 0.16), 1e-11);
     }
 }
 
 TEST(BodyCuts, ABoxThatWouldTakeTooManyCutsIsNotCutOut) {
     // Its corner at (2, 1) takes two cuts, of which each counts as two halvings.
-    const Element box = box_of({-1, 1, -1}, {2, 9, 1});
+    const Element box = box_between({-1, 1, -1}, {2, 9, 1});
     for (const std::uint32_t halvings : {0u, 2u, 4u}) {
         Cuts c({box}, halvings);
-        double area = 0;
-        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, plenty)) {
-            area += area_of(polygon);
-        }
-        EXPECT_NEAR(area, halvings < 4 ? 8 : 8 - 4, 1e-11) << halvings;
+        EXPECT_NEAR(c.left_of(triangle), halvings < 4 ? 8 : 8 - 4, 1e-11) << halvings;
         EXPECT_FALSE(c.cover(triangle));
     }
 }
 
-TEST(BodyCuts, PolytopesThatOverlapCoverInAPieceEachAndTheSidesOfTheRest) {
-    Cuts one({box_of({-1, -1, -1}, {9, 9, 1})});
-    EXPECT_TRUE(one.cover(triangle));
-    EXPECT_EQ(one.cuts.pieces(), 0u);
-    EXPECT_EQ(one.cuts.most_cuts(), 0u);
-    for (const double overlap : {1.0, 1e-3, 1e-9, 1e-11}) {
-        Cuts two({box_of({-1, -1, -1}, {1 + overlap, 9, 1}), box_of({1, -1, -1}, {9, 9, 1})});
-        EXPECT_TRUE(two.cover(triangle)) << overlap;
-        EXPECT_EQ(two.cuts.pieces(), 1u);
-        EXPECT_EQ(two.cuts.most_cuts(), 1u);
-        Cuts apart({box_of({-1, -1, -1}, {1 - overlap, 9, 1}), box_of({1, -1, -1}, {9, 9, 1})});
-        EXPECT_FALSE(apart.cover(triangle)) << overlap;
-    }
+TEST(BodyCuts, EachProofCountsItsOwnPiecesAndEndsAtTheMost) {
     std::vector<Element> strips;
     for (int k = 0; k < 8; ++k) {
-        strips.push_back(box_of({0.5 * k - 0.01, -1, -1}, {0.5 * k + 0.51, 9, 1}));
+        strips.push_back(box_between({0.5 * k - 0.01, -1, -1}, {0.5 * k + 0.51, 9, 1}));
     }
     Cuts eight(strips);
     EXPECT_TRUE(eight.cover(triangle));
     const std::size_t pieces = eight.cuts.pieces();
-    EXPECT_LE(pieces, 14u);
     EXPECT_FALSE(eight.cover(triangle, 1e-9, pieces - 1));
     EXPECT_TRUE(eight.cover(triangle, 1e-9, pieces));
-    EXPECT_EQ(eight.cuts.pieces(), pieces) << "each proof counts its own";
+    EXPECT_EQ(eight.cuts.pieces(), pieces);
     EXPECT_GT(eight.cuts.most_cuts(), 0u);
     EXPECT_TRUE(eight.cover({{0.1, 0, 0}, {0.2, 0, 0}, {0.1, 1, 0}}));
     EXPECT_EQ(eight.cuts.pieces(), 0u);
     EXPECT_EQ(eight.cuts.most_cuts(), 0u);
-    strips.erase(strips.begin() + 3);
-    EXPECT_FALSE(Cuts(strips).cover(triangle));
 }
 
 TEST(BodyCuts, PolytopesThatOverlapByThreeSlacksCover) {
@@ -143,10 +122,10 @@ TEST(BodyCuts, PolytopesThatOverlapByThreeSlacksCover) {
     for (const double slacks : {1.8, 2.9}) {
         for (int k = 0; k < 40; ++k) {
             const double plane = random.uniform(0.5, 3);
-            std::vector<Element> e{box_of({-1, -1, -1}, {plane, 9, 1}), box_of({plane, -1, -1}, {9, 9, 1})};
+            std::vector<Element> e{box_between({-1, -1, -1}, {plane, 9, 1}), box_between({plane, -1, -1}, {9, 9, 1})};
             const Bodies apart({{}, e}, {}, 5, most_halvings);
             const double overlap = slacks * std::max(apart.slack(0), apart.slack(1));
-            e[0] = box_of({-1, -1, -1}, {plane + overlap, 9, 1});
+            e[0] = box_between({-1, -1, -1}, {plane + overlap, 9, 1});
             Cuts c(e);
             EXPECT_EQ(c.cover(triangle), slacks > 2) << plane;
         }
@@ -167,11 +146,8 @@ TEST(BodyCuts, APolytopeIsCutOutWhereItsPolygonHasFewCornersAndNotAtAllElsewhere
             }
             const double area = std::sin(2 * std::numbers::pi / corners) * corners / 2;
             Cuts c({{.kind = Kind::hull, .hull = convex_hull(points)}});
-            double left = 0;
             const Corners turned{corner[turn % 3], corner[(turn + 1) % 3], corner[(turn + 2) % 3]};
-            for (const std::vector<Vec3>& polygon : c.cuts.rest(turned, c.all, plenty)) {
-                left += area_of(polygon);
-            }
+            const double left = c.left_of(turned);
             EXPECT_TRUE(std::abs(left - 8) < 1e-11 || std::abs(left - (8 - area)) < 1e-10) << corners << ' ' << left;
             EXPECT_TRUE(corners > 14 || left < 7.9) << corners;
             EXPECT_TRUE(corners <= 16 || left > 7.9) << corners;
@@ -182,51 +158,30 @@ TEST(BodyCuts, APolytopeIsCutOutWhereItsPolygonHasFewCornersAndNotAtAllElsewhere
     }
 }
 
-TEST(BodyCuts, TwoRoundBodiesThatHoldTheEdgesAreToldApartByOneCut) {
-    Element left{.kind = Kind::capsule, .half = {0, 0, 9}, .radius = 2};
-    left.pose = Pose::from_axis_angle({1, 0, 0}, std::numbers::pi / 2);
-    Element right = left;
-    for (const double overlap : {1.0, 1e-3, 1e-9, 1e-11}) {
-        right.pose.translation = {4 - overlap, 0, 0};
-        Cuts c({left, right});
-        EXPECT_TRUE(c.cover(triangle)) << overlap;
-        EXPECT_EQ(c.cuts.pieces(), 2u);
-        EXPECT_EQ(c.cuts.most_cuts(), 1u);
-        Cuts more({left, ball_of({4, 0, 0}, 0.1), right}); // another that holds a corner is tried before
-        EXPECT_TRUE(more.cover(triangle)) << overlap;
-        EXPECT_EQ(more.cuts.pieces(), 2u);
-        right.pose.translation = {4 + overlap, 0, 0};
-        EXPECT_FALSE(Cuts({left, right}).cover(triangle));
+TEST(BodyCuts, MoreRoundBodiesAreDividedAtHalfTheLengthOfAnySize) {
+    for (const double scale : {1e-3, 0.1, 1.0, 1e3}) {
+        std::vector<Element> balls{ball_about({0.7, 0.7, 0}, 1.4), ball_about({3, 0.3, 0}, 1.4),
+                                   ball_about({0.3, 3, 0}, 1.4), ball_about({1.8, 1.8, 0}, 1.2)};
+        for (Element& ball : balls) {
+            ball.pose.translation *= scale;
+            ball.radius *= scale;
+        }
+        Cuts c(balls);
+        const Corners t{triangle.a * scale, triangle.b * scale, triangle.c * scale};
+        EXPECT_TRUE(c.cover(t, 1e-9 * scale)) << scale;
+        EXPECT_GE(c.cuts.pieces(), 4u);
+        EXPECT_LE(c.cuts.pieces(), 30u);
+        EXPECT_FALSE(c.cover(t, 1e-9 * scale, 1)); // too many pieces
+        EXPECT_FALSE(c.cover(t, 5.7 * scale));     // too small to be divided: the longest edge is √32
+        EXPECT_TRUE(c.cover(t, 0.5 * scale));
+        EXPECT_FALSE(Cuts(balls, 2).cover(t, 1e-9 * scale)); // a cut counts as two halvings, and more are needed
+        balls.pop_back();
+        EXPECT_FALSE(Cuts(balls).cover(t, 1e-9 * scale));
     }
-}
-
-TEST(BodyCuts, TheCutBetweenTwoBallsMeetsASlantedEdgeWhereTheyHardlyOverlap) {
-    const Corners slanted{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}; // its long edge is equally deep in both at (2, 1)
-    for (const double overlap : {1e-3, 1e-6, 1e-9}) {
-        const double radius = std::sqrt(5.0) + overlap;
-        Cuts c({ball_of({0, 0, 0}, radius), ball_of({4, 0, 0}, radius)});
-        EXPECT_TRUE(c.cover(slanted)) << overlap;
-        EXPECT_EQ(c.cuts.pieces(), 2u);
-        EXPECT_FALSE(Cuts({ball_of({0, 0, 0}, radius - 2 * overlap), c.elements[1]}).cover(slanted));
-    }
-}
-
-TEST(BodyCuts, MoreRoundBodiesAreDividedAtHalfTheLength) {
-    const std::vector<Element> balls{ball_of({0.7, 0.7, 0}, 1.4), ball_of({3, 0.3, 0}, 1.4), ball_of({0.3, 3, 0}, 1.4),
-                                     ball_of({1.8, 1.8, 0}, 1.2)};
-    Cuts c(balls);
-    EXPECT_TRUE(c.cover(triangle));
-    EXPECT_GE(c.cuts.pieces(), 4u);
-    EXPECT_LE(c.cuts.pieces(), 30u);
-    EXPECT_FALSE(c.cover(triangle, 1e-9, 1)); // too many pieces
-    EXPECT_FALSE(c.cover(triangle, 6));       // too small to be divided: the longest edge is √32
-    EXPECT_TRUE(c.cover(triangle, 0.5));
-    EXPECT_FALSE(Cuts(balls, 2).cover(triangle)); // a cut counts as two halvings, and more than one is needed
-    EXPECT_FALSE(Cuts({balls[0], balls[1], balls[2]}).cover(triangle));
 }
 
 TEST(BodyCuts, CutsBetweenTwoBodiesAreWhereBothNeedTheSame) {
-    const Cuts c({ball_of({-1, 0, 0}, 0.5), ball_of({5, 0, 0}, 0.5), ball_of({0, 9, 0}, 0.5)});
+    const Cuts c({ball_about({-1, 0, 0}, 0.5), ball_about({5, 0, 0}, 0.5), ball_about({0, 9, 0}, 0.5)});
     const std::vector<Corners> parts = c.cuts.between_nearest(triangle, std::span(c.all).first(2));
     double left = 0, right = 0;
     for (const Corners& part : parts) {
@@ -251,7 +206,7 @@ TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
     int cut = 0, places = 0, exact = 0;
     for (int k = 0; k < 300; ++k) {
         const auto place = [&] { return Vec3{random.uniform(-1, 5), random.uniform(-1, 5), random.uniform(-3, 3)}; };
-        const Cuts c({ball_of(place(), 0.1), k % 2 ? ball_of(place(), 0.4) : box_of({3, 3, -1}, {4, 4, 1})});
+        const Cuts c({ball_about(place(), 0.1), k % 2 ? ball_about(place(), 0.4) : box_between({3, 3, -1}, {4, 4, 1})});
         const std::vector<Corners> parts = c.cuts.between_nearest(triangle, c.all);
         double area = 0;
         for (const Corners& part : parts) {
@@ -283,7 +238,8 @@ TEST(BodyCuts, CutsBetweenRoundBodiesMeetTheEdgesWhereBothNeedTheSame) {
 }
 
 TEST(BodyCuts, OfAProofThatFailedNothingIsLeft) {
-    Cuts c({box_of({1, 1, -1}, {1.5, 1.5, 1}), ball_of({0, 0, 0}, 0.5), ball_of({4, 0, 0}, 0.5), ball_of({0, 4, 0}, 0.5)});
+    Cuts c({box_between({1, 1, -1}, {1.5, 1.5, 1}), ball_about({0, 0, 0}, 0.5), ball_about({4, 0, 0}, 0.5),
+            ball_about({0, 4, 0}, 0.5)});
     EXPECT_FALSE(c.cover(triangle)); // cut at the box, of which four sides are left
     EXPECT_TRUE(c.cover({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}));
 }
@@ -294,7 +250,7 @@ TEST(BodyCuts, EightPairsThatHoldAllCornersAreTried) {
     Element right = left;
     right.pose.translation = {3.9, 0, 0};
     for (const std::size_t others : {7u, 8u}) { // balls at the corner that the first capsule does not hold
-        std::vector<Element> elements(1 + others, ball_of({4, 0, 0}, 0.1));
+        std::vector<Element> elements(1 + others, ball_about({4, 0, 0}, 0.1));
         elements.front() = left;
         elements.push_back(right);
         Cuts c(elements);
@@ -306,14 +262,14 @@ TEST(BodyCuts, EightPairsThatHoldAllCornersAreTried) {
 TEST(BodyCuts, ATriangleWithACornerInNoBodyIsNotCut) {
     const std::array<Vec3, 3> corner{triangle.a, triangle.b, triangle.c};
     for (std::size_t turn = 0; turn < 3; ++turn) {
-        Cuts c({ball_of(triangle.b, 3.5), ball_of(triangle.c, 3.5)});
+        Cuts c({ball_about(triangle.b, 3.5), ball_about(triangle.c, 3.5)});
         EXPECT_FALSE(c.cover({corner[turn], corner[(turn + 1) % 3], corner[(turn + 2) % 3]}));
         EXPECT_EQ(c.cuts.pieces(), 0u);
     }
 }
 
 TEST(BodyCuts, OneRoundBodyCoversWithoutACut) {
-    Cuts c({ball_of({1, 1, 0}, 9), ball_of({1, 1, 0}, 0.1)});
+    Cuts c({ball_about({1, 1, 0}, 9), ball_about({1, 1, 0}, 0.1)});
     EXPECT_TRUE(c.cover(triangle));
     EXPECT_EQ(c.cuts.pieces(), 0u);
     EXPECT_EQ(c.cuts.most_cuts(), 0u);
@@ -348,7 +304,7 @@ TEST(BodyCuts, ABodyThatHoldsNothingIsNotCutOut) {
 TEST(BodyCuts, TrianglesThatAreAsLargeAsTheSmallestAreNotDivided) {
     // Cut once at half of its longest edge, which is 5, one part lies in a ball and the other in two.
     const Corners right{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-    Cuts c({ball_of({0.5, 0.7, 0}, 1.5), ball_of({2, 0.9, 0}, 1.6), ball_of({0.5, 2.4, 0}, 1.8)});
+    Cuts c({ball_about({0.5, 0.7, 0}, 1.5), ball_about({2, 0.9, 0}, 1.6), ball_about({0.5, 2.4, 0}, 1.8)});
     EXPECT_TRUE(c.cover(right, std::nextafter(5, 0)));
     EXPECT_EQ(c.cuts.pieces(), 4u);
     EXPECT_EQ(c.cuts.most_cuts(), 2u);
@@ -358,7 +314,7 @@ TEST(BodyCuts, TrianglesThatAreAsLargeAsTheSmallestAreNotDivided) {
 TEST(BodyCuts, ACutMayGoThroughACorner) {
     const Vec3 middle{0, 0, 0}, left{-1, 1, 0}, right{1, 1, 0};
     for (const double y : {5.0, -1.0}) {
-        const Cuts c({ball_of({-2, y, 0}, 0.5), ball_of({2, y, 0}, 0.5)});
+        const Cuts c({ball_about({-2, y, 0}, 0.5), ball_about({2, y, 0}, 0.5)});
         ASSERT_EQ(c.bodies.growth(0, middle), c.bodies.growth(1, middle));
         for (const Corners& t : {Corners{middle, left, right}, {left, right, middle}, {right, middle, left},
                                  {middle, right, left}, {right, left, middle}, {left, middle, right}}) {
@@ -380,7 +336,7 @@ TEST(BodyCuts, WhichCornerComesFirstDoesNotMatter) {
     for (int k = 0; k < 300; ++k) {
         std::vector<Element> balls;
         for (const Vec3& place : {Vec3{0.7, 0.7, 0}, {3, 0.3, 0}, {0.3, 3, 0}, {1.8, 1.8, 0}, {1.5, 0.2, 0}, {0.2, 1.7, 0}}) {
-            balls.push_back(ball_of(place + test::random_direction(random) * 0.3, random.uniform(0.8, 1.5)));
+            balls.push_back(ball_about(place + test::random_direction(random) * 0.3, random.uniform(0.8, 1.5)));
         }
         Cuts c(balls);
         if (c.cover(triangle)) {
@@ -395,21 +351,6 @@ TEST(BodyCuts, WhichCornerComesFirstDoesNotMatter) {
         }
     }
     EXPECT_GT(several, 20);
-}
-
-TEST(BodyCuts, SmallTrianglesAreDividedToo) {
-    for (const double scale : {1e-3, 0.1, 1.0, 1e3}) {
-        std::vector<Element> balls{ball_of({0.7, 0.7, 0}, 1.4), ball_of({3, 0.3, 0}, 1.4), ball_of({0.3, 3, 0}, 1.4),
-                                   ball_of({1.8, 1.8, 0}, 1.2)};
-        for (Element& ball : balls) {
-            ball.pose.translation = ball.pose.translation * scale;
-            ball.radius *= scale;
-        }
-        Cuts c(balls);
-        const Corners small{triangle.a * scale, triangle.b * scale, triangle.c * scale};
-        EXPECT_TRUE(c.cover(small, 1e-9 * scale)) << scale;
-        EXPECT_FALSE(c.cover(small, 5.7 * scale)) << scale; // its longest edge is √32
-    }
 }
 
 TEST(BodyCuts, APartKeepsItsTriangleAndCountsAsTwoHalvings) {
@@ -433,10 +374,7 @@ TEST(BodyCuts, RandomPolytopesCoverExactlyWhereNothingIsLeft) {
             elements.push_back({.kind = Kind::hull, .hull = convex_hull(points)});
         }
         Cuts c(elements);
-        double area = 0;
-        for (const std::vector<Vec3>& polygon : c.cuts.rest(triangle, c.all, plenty)) {
-            area += area_of(polygon);
-        }
+        const double area = c.left_of(triangle);
         EXPECT_EQ(c.cover(triangle), area == 0) << k << ' ' << area;
         covered += area == 0;
         // as many points of a grid are open as the area says

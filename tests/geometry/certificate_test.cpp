@@ -20,10 +20,6 @@ double gap_at(const Vec3& p, const std::vector<Sphere>& spheres) {
     return std::max(gap, 0.0);
 }
 
-Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return {{a, b, c}, {{0, 1, 2}}};
-}
-
 } // namespace
 
 TEST(Certificate, OneSphere) {
@@ -158,6 +154,18 @@ TEST(Certificate, SpheresThatAreNone) {
     EXPECT_TRUE(certify(*cube, std::vector<Sphere>{{{nan, 0, 0}, 5}, {{}, 2}, {{}, nan}}).holds);
 }
 
+TEST(Certificate, SpheresOfNoUsableSizeHoldNoPoint) {
+    const auto point = Solid::make(triangle({}, {}, {}));
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double radius : {1.001e-140, 0.999e150}) {
+        EXPECT_TRUE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
+    }
+    for (const double radius :
+         {0.999e-140, 1.001e150, 0.0, -1.0, std::nan(""), infinity}) { // the square of -1 is positive
+        EXPECT_FALSE(certify(*point, std::vector<Sphere>{{{}, radius}}).holds) << radius;
+    }
+}
+
 TEST(Certificate, DegenerateTrianglesMustBeCoveredToo) {
     Mesh mesh = box({-1, -1, -1}, {1, 1, 1});
     mesh.vertices.push_back({3, 0, 0});
@@ -187,6 +195,34 @@ TEST(Certificate, ASphereCoversItsPrimitive) {
     const auto capsule = primitive_solid(Element::capsule(0.25, 1));
     EXPECT_TRUE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 + 1e-9}}).holds);
     EXPECT_FALSE(certify(*capsule, std::vector<Sphere>{{{}, 0.75 - 1e-9}}).holds);
+}
+
+TEST(Certificate, RoundPartsInClosedForm) {
+    // Such a part takes no pieces where one ball of the radius in closed form holds it, rounded up.
+    const Pose pose = Pose::from_xyz_rpy({0.3, -0.2, 0.1}, {0.4, 0.5, 0.6});
+    const Vec3 middle = pose.translation, away{0.1, 0.2, -0.3}, half = pose.rotate({0, 0, 0.2});
+    const auto ball = primitive_solid(Element::sphere(0.2), pose),
+               capsule = primitive_solid(Element::capsule(0.1, 0.4), pose);
+    const auto held = [](const Solid& solid, const Vec3& center, double radius) {
+        const Certificate certificate =
+            certify(solid, std::vector<Sphere>{{center, radius}, {{std::nan(""), 0, 0}, 9}});
+        EXPECT_EQ(certificate.holds, certificate.pieces == 0);
+        return certificate.holds;
+    };
+    EXPECT_TRUE(held(*ball, middle, 0.2)) << "exact about the same centre";
+    EXPECT_FALSE(held(*ball, middle, std::nextafter(0.2, 0)));
+    const double around_ball = 0.2 + norm(away), farthest = std::max(norm(away - half), norm(away + half));
+    for (const auto& [part, center, radius] :
+         {std::tuple(&*ball, middle + away, around_ball), std::tuple(&*capsule, middle + away, 0.1 + farthest),
+          std::tuple(&*capsule, middle, 0.3)}) { // only about a sphere's own centre is no rounding
+        EXPECT_TRUE(held(*part, center, radius + 1e-12)) << radius;
+        EXPECT_FALSE(held(*part, center, radius)) << radius;
+        EXPECT_FALSE(held(*part, center, std::numeric_limits<double>::infinity())) << "not a ball";
+    }
+    // Boxes and cylinders are none.
+    for (const Element& other : {Element::box({0.1, 0.1, 0.1}), Element::cylinder(0.1, 0.4)}) {
+        EXPECT_GT(certify(*primitive_solid(other, pose), std::vector<Sphere>{{middle, 9}}).pieces, 0u);
+    }
 }
 
 namespace {
@@ -231,6 +267,57 @@ TEST(Certificate, TellsWhatItTook) {
     EXPECT_EQ(halvings(often), 3u);
     EXPECT_EQ(halvings(together(often, once)), 3u);
     EXPECT_EQ(halvings(together(once, often)), 3u);
+}
+
+TEST(Certificate, ATriangleUnderARowIsCutOnceForEachPairOrLess) {
+    const auto took = [](int count) {
+        const auto solid = Solid::make(triangle({0, 0, 0}, {double(count), 0, 0}, {0, 1, 0}));
+        const geometry::CoverProof proof = geometry::prove_cover(*solid, row_of_balls(count, 1.2));
+        EXPECT_TRUE(proof.certificate.holds);
+        return std::pair(proof.certificate.pieces - 1, proof.halvings);
+    };
+    EXPECT_EQ(took(1), std::pair(std::size_t{0}, 0u));
+    EXPECT_EQ(took(2), std::pair(std::size_t{2}, 1u));
+    const auto [pieces, cuts] = took(5);
+    EXPECT_EQ(pieces, 6u) << "three cuts: balls hold more than their part";
+    EXPECT_GE(cuts, 2u);
+    EXPECT_LE(cuts, 4u);
+}
+
+TEST(Certificate, ManyCornersAreLeftToHalving) {
+    // A ball about a corner of the triangle, and others in an arc before it: its part has a corner between any two.
+    // Cuts take few pieces, halving takes thousands.
+    for (const int around : {2, 5, 8, 9, 10, 11, 12, 16, 20}) {
+        const double between = std::numbers::pi / 3 / around, radius = (1 + 1e-4) / std::cos(between / 2);
+        std::vector<Sphere> spheres{{{0, 0, 0}, radius}};
+        for (int k = 0; k < around; ++k) {
+            const double angle = (k + 0.5) * between;
+            spheres.push_back({2 * Vec3{std::cos(angle), std::sin(angle), 0}, radius});
+        }
+        const Vec3 a{0, 0, 0}, b{2.2, 0, 0}, c{1.1, 2.2 * std::sin(std::numbers::pi / 3), 0};
+        int halved = 0;
+        for (const Mesh& mesh : {triangle(a, b, c), triangle(b, c, a), triangle(c, a, b), triangle(a, c, b)}) {
+            const Certificate certificate = certify(*Solid::make(mesh), spheres);
+            EXPECT_TRUE(certificate.holds) << around;
+            EXPECT_TRUE(certificate.pieces < 150 || certificate.pieces > 5'000) << certificate.pieces;
+            halved += certificate.pieces > 150;
+        }
+        EXPECT_EQ(halved > 0, around > 10) << around;
+    }
+}
+
+TEST(Certificate, SaysNoWhereAPartIsOpen) {
+    // Each ball in turn is too small for its part.
+    const auto solid = Solid::make(triangle({0, 0, 0}, {4, 0, 0}, {0, 1, 0}));
+    const std::vector<Sphere> row = row_of_balls(4, 0.87);
+    ASSERT_TRUE(certify(*solid, row).holds);
+    for (std::size_t smaller = 0; smaller < 4; ++smaller) {
+        std::vector<Sphere> spheres = row;
+        spheres[smaller].radius = 0.2;
+        EXPECT_FALSE(certify(*solid, spheres).holds) << smaller;
+    }
+    EXPECT_FALSE(certify(*solid, row_of_balls(4, 0.1)).holds);
+    EXPECT_FALSE(certify(*solid, std::vector<Sphere>{}).holds) << "no balls";
 }
 
 TEST(Certificate, DepthIsOfHalvings) {

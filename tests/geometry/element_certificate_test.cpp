@@ -350,6 +350,27 @@ TEST_P(EachKind, WhatIsNotValidHoldsNothing) {
     EXPECT_FALSE(is_valid(mirrored));
 }
 
+TEST(ElementCertificate, WhatIsNotValidBesideOthersHoldsNothing) {
+    // Besides others, since spheres alone have a proof of their own.
+    const auto solid = Solid::make(test::box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}));
+    const auto is_held = [&](const Elements& elements) {
+        Elements all(std::vector{test::box_between({90, 0, 0}, {91, 1, 1})});
+        all.add(elements);
+        return covers(*solid, all);
+    };
+    Element box{.kind = Kind::box, .half = {1, 1, 1}}, ball{.kind = Kind::sphere, .radius = 1};
+    EXPECT_TRUE(is_held(std::vector{box}));
+    EXPECT_TRUE(is_held(std::vector{ball}));
+    box.radius = 0.1; // of another kind
+    ball.radius = -1;
+    EXPECT_FALSE(is_held(std::vector{box}));
+    EXPECT_FALSE(is_held(std::vector{ball}));
+    EXPECT_FALSE(is_held(std::vector{Element{.kind = Kind::hull, .radius = 1}})); // without a hull
+    const std::vector<Sphere> none{{{}, std::numeric_limits<double>::infinity()}, {{}, -1}};
+    EXPECT_FALSE(is_held(none));
+    EXPECT_TRUE(is_held(std::vector{none[0], none[1], Sphere{{}, 1}}));
+}
+
 Element box_between(double from, double to, const Pose& pose) {
     Element e;
     e.kind = Kind::box;

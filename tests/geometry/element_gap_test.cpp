@@ -33,6 +33,31 @@ TEST(ElementCertificate, APartThatIsContainedProvesNothingOfOthers) {
     }
 }
 
+TEST(ElementCertificate, TheDepthIsThatOfTheSlackThatElementsLose) {
+    // One triangle is held by one element just where the element is higher than the slack for that number of halvings.
+    const auto solid = Solid::make(test::triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    const auto least = [](const auto& holds) { // the smallest height of the element for which it holds
+        double low = 0, high = 1;
+        while (std::nextafter(low, high) < high) {
+            const double middle = std::max((low + high) / 2, std::nextafter(low, high));
+            const Element box{.kind = Kind::box, .half = {2, 2, middle}};
+            (holds(Elements(std::span(&box, 1))) ? high : low) = middle;
+        }
+        return high;
+    };
+    const auto slack = [&](int halvings) { // docs/dev/certificate.md
+        const double unit = 0x1p-53, away = norm(solid->bounds().center()), extent = std::sqrt(0.5),
+                     reach = std::sqrt(8);
+        return 2 * unit * (halvings + 24) * (extent + away + reach) + 16 * unit * away;
+    };
+    for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {
+        const double height = least([&](const Elements& e) { return certify(*solid, e, depth).holds; });
+        EXPECT_NEAR(height, slack(3 * used), 1e-12 * height) << depth;
+    }
+    const double height = least([&](const Elements& e) { return covers(*solid, e); });
+    EXPECT_NEAR(height, slack(3 * 40), 1e-12 * height);
+}
+
 TEST(ElementCertificate, ASmallTriangleFarAwayIsLookedAtOnce) {
     const auto solid = Solid::make(Mesh{{{3, 0, 0}, {3, 1e-4, 0}, {3, 0, 1e-4}}, {{0, 1, 2}}});
     const Element box{.kind = Kind::box, .half = {1, 1, 1}};

@@ -230,6 +230,29 @@ TEST(ElementGrown, TheBoxLiesAlongTheDirectionInWhichThePolytopeIsThinnest) {
     }
 }
 
+TEST(ElementGrown, FacesMoveByManyTimesTheSize) {
+    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
+    const auto result = grown_hull(cube, 1e4);
+    expect_room(*result, cube->surface.vertices, 1e4);
+    EXPECT_NEAR(signed_volume(result->surface), 8 * std::pow(1e4 + 1, 3), 1e-11 * 8e12);
+}
+
+/// More planes meet at the tip than are tried together: the sum of their normals points out of all of them.
+TEST(ElementGrown, TheTipOfASlenderConeMoves) {
+    constexpr int sides = 48;
+    constexpr double height = 8;
+    std::vector<Vec3> points{{0, 0, height}};
+    for (int k = 0; k < sides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / sides;
+        points.push_back({std::cos(angle), std::sin(angle), 0});
+    }
+    const double length = 0.01, across = std::cos(std::numbers::pi / sides);
+    const auto result = grown_hull(hull_of(points), length);
+    expect_room(*result, points, length);
+    const double tip = height + length * std::hypot(height, across) / across; // the planes of the sides meet there
+    EXPECT_NEAR(support(Element{.kind = Element::Kind::hull, .hull = result}, {0, 0, 1}).z, tip, 1e-6);
+}
+
 TEST(ElementGrown, ScalesWithAll) {
     // By powers of two, which round nothing: a step that knows a length would do otherwise.
     Random random(9);

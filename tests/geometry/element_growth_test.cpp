@@ -6,17 +6,12 @@
 #include <gtest/gtest.h>
 
 using namespace foam;
+using test::box_between;
 using Kind = Element::Kind;
 
 namespace {
 
 constexpr double hair = 1e-10;
-
-Element box_between(const Vec3& low, const Vec3& high) {
-    Element e{.kind = Kind::box, .half = (high - low) * 0.5};
-    e.pose.translation = (low + high) * 0.5;
-    return e;
-}
 
 std::vector<Element> grown_over(const Mesh& mesh, const std::vector<Element>& elements) {
     const auto solid = Solid::make(mesh);
@@ -240,6 +235,7 @@ void expect_that_growth_scales(const Mesh& mesh, const std::vector<Element>& ele
 }
 
 TEST(ElementGrowth, ScalesWithAll) {
+    Random random(13);
     const Mesh bar = test::box({-0.05, -0.05, -1}, {0.05, 0.05, 1}), wide = test::box({-1, -1, -0.1}, {1, 1, 0.1});
     for (const Kind kind : {Kind::box, Kind::cylinder, Kind::capsule, Kind::swept_box, Kind::sphere, Kind::hull}) {
         SCOPED_TRACE(to_string(kind));
@@ -249,6 +245,13 @@ TEST(ElementGrowth, ScalesWithAll) {
         few[2].pose.translation = {-0.8, 0.8, 0.1};
         expect_that_growth_scales(bar, few);
         expect_that_growth_scales(wide, few);
+        for (int k = 0; k < 20; ++k) { // one alone, for points that are anywhere
+            Element alone = scaled(small_one(kind), 5);
+            alone.pose = test::random_pose(random, 2);
+            const Vec3 p = alone.pose * (test::random_direction(random) * 4);
+            const Vec3 q = alone.pose * (test::random_direction(random) * 2);
+            expect_that_growth_scales({{p, p, p, q, q, q}, {{0, 1, 2}, {3, 4, 5}}}, {alone});
+        }
         // all but a narrow slit, in a slanted plane; of hulls that are almost alike the last bit decides
         for (const double slit : kind == Kind::hull ? std::vector<double>{} : std::vector{1e-2, 1e-5, 1e-8, 1e-10}) {
             std::vector<Element> halves{scaled(small_one(kind), 5), scaled(small_one(kind), 5)};

@@ -112,36 +112,6 @@ TEST(OpenTriangles, AreThoseThatNoElementContains) {
     }
 }
 
-TEST(ElementCertificate, TheDepthIsThatOfTheBodiesThatProve) {
-    // One triangle is held by one element just where the bodies for that number of halvings hold its corners.
-    const auto solid = Solid::make(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
-    const Balls pieces(*solid, {}, 0);
-    const auto least = [](const auto& holds) { // the smallest height of the element for which it holds
-        double low = 0, high = 1;
-        while (std::nextafter(low, high) < high) {
-            const double middle = std::max((low + high) / 2, std::nextafter(low, high));
-            Element box{.kind = Kind::box, .half = {2, 2, middle}};
-            (holds(box) ? high : low) = middle;
-        }
-        return high;
-    };
-    std::vector<double> found;
-    const auto with = [&](int halvings) {
-        return least([&](const Element& e) {
-            const Bodies bodies(Elements(std::span(&e, 1)), solid->bounds().center(), pieces.extent(),
-                                static_cast<std::uint32_t>(halvings));
-            return bodies.holds(0, pieces.piece(0));
-        });
-    };
-    for (const auto& [depth, used] : {std::pair{-5, 0}, {0, 0}, {1, 1}, {20, 20}, {40, 40}, {60, 60}, {99, 60}}) {
-        const double height =
-            least([&](const Element& e) { return certify(*solid, Elements(std::span(&e, 1)), depth).holds; });
-        EXPECT_EQ(height, with(3 * used)) << depth;
-        EXPECT_GT(height, 0);
-    }
-    EXPECT_EQ(least([&](const Element& e) { return covers(*solid, Elements(std::span(&e, 1))); }), with(3 * 40));
-}
-
 TEST(ElementCertificate, ATriangleInOneBallIsProvedJustWhereTheBodyHoldsItsCorners) {
     // Corners at the ball to the last bits, where distance and squared distance may disagree.
     Random random(5);

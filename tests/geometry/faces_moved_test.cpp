@@ -1,92 +1,13 @@
-// Polytopes whose faces move outwards: each vertex by the shortest move beyond its planes.
+// Polytopes whose faces move outwards: what they then contain.
 #include "geometry/hulls.hpp"
 #include "geometry/src/convex/polytope.hpp"
 
 #include <gtest/gtest.h>
 
-#include <optional>
-
 using namespace foam;
 using namespace foam::test;
 
 namespace {
-
-/// The shortest vector m with normals[i] · m >= least[i], by Hildreth's method; nothing where that converges slowly.
-std::optional<Vec3> shortest(const std::vector<Vec3>& normals, const std::vector<double>& least) {
-    Vec3 m{};
-    std::vector<double> weights(normals.size(), 0.0);
-    for (int round = 0; round < 2'000; ++round) {
-        double changed = 0;
-        for (std::size_t i = 0; i < normals.size(); ++i) {
-            const double weight = std::max(0.0, weights[i] + least[i] - dot(normals[i], m));
-            m += normals[i] * (weight - weights[i]);
-            changed = std::max(changed, std::abs(weight - weights[i]));
-            weights[i] = weight;
-        }
-        if (changed < 1e-15) {
-            return m;
-        }
-    }
-    return std::nullopt;
-}
-
-double to_nearest(const Vec3& p, const Polytope& hull) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3& v : hull.surface.vertices) {
-        nearest = std::min(nearest, distance(v, p));
-    }
-    return nearest;
-}
-
-TEST(FacesMoved, VerticesMoveByTheLeastThatTheirPlanesAskFor) {
-    Random random(1);
-    int moved = 0;
-    for (int k = 0; k < 150; ++k) {
-        const auto hull = random_hull(4 + k % 9, random, {1, -2, 3});
-        std::vector<double> lengths;
-        for (std::size_t f = 0; f < hull->faces.size(); ++f) {
-            lengths.push_back(k % 3 == 0 ? 0.1 : random.uniform(0, 0.01));
-        }
-        const auto result = with_faces_moved(*hull, lengths, {}, 0);
-        ASSERT_TRUE(result);
-        EXPECT_LE(result->surface.vertices.size(), hull->surface.vertices.size());
-        for (const Vec3& v : hull->surface.vertices) {
-            std::vector<Vec3> normals;
-            std::vector<double> least;
-            for (std::size_t f = 0; f < hull->faces.size(); ++f) {
-                if (std::abs(hull->faces[f].offset - dot(hull->faces[f].normal, v)) < 1e-9) {
-                    normals.push_back(hull->faces[f].normal);
-                    least.push_back(lengths[f]);
-                }
-            }
-            const std::optional<Vec3> move = shortest(normals, least);
-            if (move && result->surface.vertices.size() == hull->surface.vertices.size()) {
-                EXPECT_NEAR(to_nearest(v + *move, *result), 0, 1e-10) << k;
-                ++moved;
-            }
-        }
-    }
-    EXPECT_GT(moved, 500);
-}
-
-TEST(FacesMoved, FacesOfABoxMoveEachByItsLength) {
-    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
-    ASSERT_EQ(cube->faces.size(), 6u);
-    std::vector<double> lengths;
-    Vec3 low, high;
-    for (std::size_t f = 0; f < 6; ++f) {
-        lengths.push_back(0.1 * static_cast<double>(f));
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = cube->faces[f].normal[axis] < -0.5 ? -1 - lengths[f] : low[axis];
-            high[axis] = cube->faces[f].normal[axis] > 0.5 ? 1 + lengths[f] : high[axis];
-        }
-    }
-    const auto result = with_faces_moved(*cube, lengths, {}, 0);
-    ASSERT_TRUE(result);
-    const Box box = bounds(result->surface);
-    EXPECT_LE(norm(box.low - low) + norm(box.high - high), 1e-13);
-    EXPECT_NEAR(signed_volume(result->surface), box.size().x * box.size().y * box.size().z, 1e-12);
-}
 
 TEST(FacesMoved, AllWithinTheLengthOfThePolytopeAndThePointsIsInside) {
     Random random(2);
@@ -176,32 +97,6 @@ TEST(FacesMoved, AFewLengthsOfReachAreNoSpike) {
             EXPECT_EQ(*result, *moved);
         }
     }
-}
-
-TEST(FacesMoved, FacesMoveByManyTimesTheSize) {
-    const auto cube = hull_of(test::box({-1, -1, -1}, {1, 1, 1}).vertices);
-    const auto result = with_faces_moved(*cube, std::vector<double>(6, 1e4), {}, 1e4);
-    ASSERT_TRUE(result);
-    expect_room(*result, cube->surface.vertices, 1e4);
-    EXPECT_NEAR(signed_volume(result->surface), 8 * std::pow(1e4 + 1, 3), 1e-11 * 8e12);
-}
-
-/// More planes meet at the tip than are tried together: the sum of their normals points out of all of them.
-TEST(FacesMoved, TheTipOfASlenderConeMoves) {
-    constexpr int sides = 48;
-    constexpr double height = 8;
-    std::vector<Vec3> points{{0, 0, height}};
-    for (int k = 0; k < sides; ++k) {
-        const double angle = 2 * std::numbers::pi * k / sides;
-        points.push_back({std::cos(angle), std::sin(angle), 0});
-    }
-    const auto cone = hull_of(points);
-    const double length = 0.01, across = std::cos(std::numbers::pi / sides);
-    const auto result = with_faces_moved(*cone, std::vector<double>(cone->faces.size(), length), {}, length);
-    ASSERT_TRUE(result);
-    expect_room(*result, points, length);
-    const double tip = height + length * std::hypot(height, across) / across; // the planes of the sides meet there
-    EXPECT_NEAR(support(Element{.kind = Element::Kind::hull, .hull = result}, {0, 0, 1}).z, tip, 1e-6);
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // Growth until the proof holds: never less than that, and not much more.
+#include "geometry/few_spheres.hpp"
 #include "geometry/shapes.hpp"
 
 #include <foam/base/error.hpp>
@@ -114,6 +115,16 @@ TEST(Growth, SpheresThatAreNone) {
     }
     const auto grown = grown_to_cover(*cube, std::vector<Sphere>{{{nan, 0, 0}, 1}, {{}, 0}, {{}, -1}});
     EXPECT_TRUE(certify(*cube, grown).holds);
+}
+
+TEST(GrowthStays, OfSpheresInASlab) {
+    expect_radii(grown_to_cover(*slab, six_in_slab()),
+                 {0.379173201, 0.826706883, 0.263667805, 1.12632217, 0.275910003, 0.14756674});
+}
+
+TEST(GrowthStays, OfRoundParts) {
+    const std::vector<double> radii{0.223702837, 0.180396673, 0.205523461, 0.166861306};
+    expect_radii(grown_to_cover(*round_parts(), four_in_round_parts), radii);
 }
 
 TEST(Growth, RoundPrimitivesInClosedForm) {

@@ -1,58 +1,17 @@
-// Queries on a rod of needles at an angle to the axes.
+// The index of needles: when it pays, and how few triangles it looks at.
+#include "geometry/rod_of_needles.hpp"
 #include "geometry/src/mesh/needle_index.hpp"
 
-#include <foam/base/random.hpp>
-#include <foam/geometry/solid.hpp>
-
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace foam {
 namespace {
 
-constexpr double length = 100, radius = 1;
-const Vec3 along = normalized(Vec3{4, -8, 1});
-const Vec3 across = normalized(cross(along, Vec3{0, 0, 1}));
-const Vec3 third = cross(along, across);
-const Vec3 middle{300, -200, 50};
-
-Vec3 placed(double x, double y, double z) {
-    return middle + along * x + across * y + third * z;
-}
-
-/// A prism of 400 sides, closed, of which each side is two needles from end to end.
-Mesh rod() {
-    constexpr std::uint32_t sides = 400;
-    Mesh mesh;
-    for (std::uint32_t i = 0; i < sides; ++i) {
-        const double angle = 2 * std::numbers::pi * i / sides;
-        mesh.vertices.push_back(placed(-length / 2, radius * std::cos(angle), radius * std::sin(angle)));
-        mesh.vertices.push_back(placed(length / 2, radius * std::cos(angle), radius * std::sin(angle)));
-    }
-    for (std::uint32_t i = 0; i < sides; ++i) {
-        const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
-        mesh.triangles.push_back({a, a + 1, b});
-        mesh.triangles.push_back({b, a + 1, b + 1});
-        if (i >= 2) {
-            mesh.triangles.push_back({0, a, 2 * (i - 1)});
-            mesh.triangles.push_back({1, 2 * (i - 1) + 1, a + 1});
-        }
-    }
-    return mesh;
-}
+using namespace test::needles;
 
 /// A direction away from the axis.
 Vec3 across_at(double angle) {
     return across * std::cos(angle) + third * std::sin(angle);
-}
-
-std::vector<geometry::Corners> corners_of(const Mesh& mesh) {
-    std::vector<geometry::Corners> corners;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        corners.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-    }
-    return corners;
 }
 
 bool pays(const std::vector<geometry::Corners>& triangles) {
@@ -72,30 +31,9 @@ TEST(NeedleIndex, PaysForNeedlesAtAnAngleAlone) {
     EXPECT_TRUE(pays(corners_of(rod())));
     Mesh straight = rod();
     for (Vec3& v : straight.vertices) {
-        v = {dot(v - middle, along), dot(v - middle, across), dot(v - middle, third)};
+        v = {dot(v - rod_middle, along), dot(v - rod_middle, across), dot(v - rod_middle, third)};
     }
     EXPECT_FALSE(pays(corners_of(straight)));
-}
-
-TEST(NeedleIndex, FindsWhatLookingAtEachTriangleFinds) {
-    const Mesh mesh = rod();
-    const std::vector<geometry::Corners> triangles = corners_of(mesh);
-    const auto solid = Solid::make(mesh);
-    Random random(7);
-    for (int k = 0; k < 2000; ++k) {
-        const double reach = k % 2 == 0 ? 1.5 : 400;
-        const Vec3 local{random.uniform(-60, 60), random.uniform(-reach, reach), random.uniform(-reach, reach)};
-        const Vec3 p = placed(local.x, local.y, local.z);
-        double nearest = 1e300;
-        for (const geometry::Corners& t : triangles) {
-            nearest = std::min(nearest, distance(geometry::closest_on_triangle(t, p), p));
-        }
-        EXPECT_NEAR(distance(solid->closest(p).point, p), nearest, 1e-11) << k; // coordinates of 400 are rounded
-        const double from_axis = std::hypot(local.y, local.z);
-        if (std::abs(from_axis - radius) > 1e-3 && std::abs(std::abs(local.x) - length / 2) > 1e-3) {
-            EXPECT_EQ(solid->contains(p), from_axis < radius && std::abs(local.x) < length / 2) << k;
-        }
-    }
 }
 
 /// How many triangles are looked at to find the nearest one.
@@ -114,7 +52,7 @@ int looked_at(const geometry::NeedleIndex& index, const std::vector<geometry::Co
 TEST(NeedleIndex, LooksAtFewNeedles) {
     std::vector<geometry::Corners> triangles = corners_of(rod());
     for (int corner = 0; corner < 6; ++corner) { // the longest edge begins at any corner, and goes either way
-        const geometry::NeedleIndex index(triangles, middle);
+        const geometry::NeedleIndex index(triangles, rod_middle);
         int near = 0, crossed = 0;
         for (int k = 0; k < 100; ++k) {
             const double angle = 0.06 * k + 0.01, y = std::cos(angle), z = std::sin(angle);
@@ -135,7 +73,7 @@ TEST(NeedleIndex, LooksAtFewNeedlesThatAreShortOrBesideOthersFarAway) {
     for (const double by : {1.0, 1e-4}) {
         std::vector<geometry::Corners> triangles;
         for (const geometry::Corners& t : corners_of(rod())) {
-            triangles.push_back({(t.a - middle) * by, (t.b - middle) * by, (t.c - middle) * by});
+            triangles.push_back({(t.a - rod_middle) * by, (t.b - rod_middle) * by, (t.c - rod_middle) * by});
         }
         const std::size_t needles = triangles.size();
         const Vec3 far = Vec3{9, 5, 7} * (1e3 * by), side{3 * by, 0, 0}, other{0, 2 * by, 0};
@@ -145,7 +83,7 @@ TEST(NeedleIndex, LooksAtFewNeedlesThatAreShortOrBesideOthersFarAway) {
         for (int k = 0; k < 100; ++k) {
             const double angle = 0.06 * k + 0.01;
             const Vec3 p = placed(k - 50, 1.01 * std::cos(angle), 1.01 * std::sin(angle));
-            near += looked_at(index, triangles, (p - middle) * by);
+            near += looked_at(index, triangles, (p - rod_middle) * by);
         }
         EXPECT_LE(near, 100 * 8) << needles;
     }

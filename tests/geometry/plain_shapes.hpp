@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/base/random.hpp>
+#include <foam/geometry/elements.hpp>
 #include <foam/geometry/solid.hpp>
 
 #include <numbers>
@@ -14,6 +15,10 @@ inline Mesh box(const Vec3& low, const Vec3& high) {
         v += (low + high) * 0.5;
     }
     return mesh;
+}
+
+inline Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return {{a, b, c}, {{0, 1, 2}}};
 }
 
 inline Mesh flipped(Mesh mesh) {
@@ -72,6 +77,10 @@ inline Vec3 random_point(Random& random, const Box& box) {
             random.uniform(box.low.z, box.high.z)};
 }
 
+inline Vec3 random_vector(Random& random, double size) {
+    return random_point(random, Box::about({}, {size, size, size}));
+}
+
 inline Vec3 random_direction(Random& random) {
     const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi);
     const double across = std::sqrt(1 - z * z);
@@ -90,11 +99,30 @@ inline Box enlarged(Box box, double by) {
     return box;
 }
 
+/// Returns the box between two corners, along the link's axes.
+inline Element box_between(const Vec3& low, const Vec3& high) {
+    Element e = Element::box(high - low);
+    e.pose.translation = (low + high) * 0.5;
+    return e;
+}
+inline Element ball_about(const Vec3& center, double radius) {
+    return element_of(Sphere{center, radius});
+}
+
 /// Returns a sphere, capsule or cylinder; the length is that of the latter two.
 inline Element round_element(Element::Kind kind, double radius, double length) {
     Element element{.kind = kind, .radius = radius};
     element.half.z = kind == Element::Kind::sphere ? 0 : length / 2;
     return element;
+}
+
+/// Balls along x that meet above 1, 2, ….
+inline std::vector<Sphere> row_of_balls(int count, double radius) {
+    std::vector<Sphere> spheres;
+    for (int i = 0; i < count; ++i) {
+        spheres.push_back({{i + 0.5, 0.3, 0}, radius});
+    }
+    return spheres;
 }
 
 inline std::shared_ptr<const Solid> primitive_solid(const Element& primitive, const Pose& pose = {}) {

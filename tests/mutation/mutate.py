@@ -29,6 +29,8 @@ INNER = ["geometry/rim_test", "geometry/inner_test"]
 ELEMENTS = ["evaluate/element_adversary_test", "evaluate/two_elements_adversary_test", "evaluate/element_shells_test",
             "evaluate/element_growth_ends_test", "geometry/element_certificate_test"]
 
+ENLARGED = ["geometry/element_enlarged_test", "geometry/grown_to_points_test", "geometry/element_test", "geometry/element_growth_test"]
+
 MATRIX = [f"self_collision/matrix{part}_test" for part in ("", "_samples", "_geometry")]
 
 # Which tests belong to which file, the ones that are likely to notice first. `core` names the files of core that tests link besides.
@@ -47,15 +49,15 @@ BELONG = {
     "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
     "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
     "geometry/src/proof/bodies.cpp": ["geometry/bodies_test", "geometry/bodies_of_nothing_test", "geometry/near_bodies_test"] + ELEMENTS,
-    "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test"] + ELEMENTS,
+    "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test", "geometry/triangles_across_test"] + ELEMENTS,
     "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
-    "geometry/src/convex/polytope.cpp": ["geometry/faces_moved_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
-    "geometry/src/convex/hull.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
-    "geometry/src/convex/swept_box.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
-    "geometry/src/convex/cylinder.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
-    "geometry/src/convex/ellipsoid.cpp": ["geometry/element_enlarged_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/convex/polytope.cpp": ["geometry/faces_moved_test", "geometry/grown_to_points_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,
+    "geometry/src/convex/hull.cpp": ENLARGED + ELEMENTS,
+    "geometry/src/convex/swept_box.cpp": ENLARGED + ELEMENTS,
+    "geometry/src/convex/cylinder.cpp": ENLARGED + ELEMENTS,
+    "geometry/src/convex/ellipsoid.cpp": ENLARGED + ELEMENTS,
     "geometry/src/mesh/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
-    "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test"],
+    "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test", "geometry/needle_solid_test"],
     "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/hull_planes_test", "geometry/element_test"],
     "geometry/src/hull/quickhull.cpp": ["geometry/quickhull_test", "geometry/convex_hull_test"],
     "geometry/src/hull/farthest.cpp": ["geometry/convex_hull_test"],
@@ -64,7 +66,7 @@ BELONG = {
     "collision/src/proof.cpp": ["self_collision/touching_proof_test", "self_collision/proof_test", *MATRIX],
     "collision/src/separation.cpp": ["self_collision/separation_test", "self_collision/touching_proof_test", "self_collision/proof_test"],
     "collision/src/simplex.cpp": ["self_collision/simplex_test", "self_collision/separation_test"],
-    "collision/src/link_shapes.cpp": ["self_collision/ball_group_test", *MATRIX],
+    "collision/src/link_shapes.cpp": ["self_collision/touching_links_test", *MATRIX],
     "collision/src/matrix.cpp": MATRIX,
     "search/src/convex/orientation_bounds.cpp": ["convex/orientation_bounds_test", "convex/least_element_test"],
     "search/src/convex/proved_least.cpp": ["convex/proved_least_test", "convex/least_element_test"],

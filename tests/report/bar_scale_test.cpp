@@ -40,5 +40,10 @@ TEST(BarScale, WhatReadsZeroDoesNotCount) {
     EXPECT_EQ(BarScale({}).svg(1), "");
 }
 
+TEST(Page, ItsTitleIsText) {
+    const std::string page = html_page("a <b> & \"c\"", "");
+    EXPECT_NE(page.find("<title>a &lt;b&gt; &amp; &quot;c&quot;</title>"), std::string::npos) << page;
+}
+
 } // namespace
 } // namespace foam

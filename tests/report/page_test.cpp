@@ -3,26 +3,11 @@
 #include "report/src/embedded_resources.hpp"
 #include "report/src/sections.hpp"
 
-#include <foam/base/text.hpp>
-#include <foam/report/html_page.hpp>
-
 namespace foam::test {
 namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-
-TEST(Page, Base64OfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64(std::string("\xFF\x00\xFE", 3)), "/wD+");
-}
-
-TEST(Page, ItsTitleIsText) {
-    EXPECT_THAT(html_page("a <b> & \"c\"", ""), HasSubstr("<title>a &lt;b&gt; &amp; &quot;c&quot;</title>"));
-}
 
 TEST(Page, OnlyItsOwnScriptsRunAndNothingIsLoaded) {
     // SHA-256 of "1" and "2", as `printf 1 | openssl sha256 -binary | base64` says.
