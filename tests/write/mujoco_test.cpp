@@ -256,6 +256,25 @@ TEST(MuJoCo, ALinkCalledWorldIsTheWorld) {
         << "the world's spheres are of a link";
 }
 
+TEST(MuJoCo, AGeomThatOneReplacesIsFoundByItsName) {
+    SphereModel model = sphere_on_tip(two_links("base", inertial_of(3, 2, 3, 4)));
+    model.into = TextFile{"arm.xml", R"(<mujoco><worldbody>
+      <body name="tip"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><joint name="j"/>
+        <geom name="foot" size="0.2" pos="1 0 0"/><site name="s" pos="0 0 -1"/><site name="t" pos="0 0 1"/></body>
+      <geom name="floor" type="plane" size="1 1 .1"/></worldbody>
+      <contact><pair geom1="floor" geom2="foot"/></contact>
+      <sensor><framepos objtype="geom" objname="foot"/></sensor>
+      <tendon><spatial><site site="s"/><geom geom="foot"/><site site="t"/></spatial></tendon>
+      <custom><tuple name="one"><element objtype="geom" objname="foot"/></tuple></custom></mujoco>)"};
+    QuietContext context;
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    const int foot = mj_name2id(mujoco.model, mjOBJ_GEOM, "foot");
+    ASSERT_GE(foot, 0);
+    EXPECT_EQ(mujoco.model->geom_size[3 * foot], 0.1);
+    EXPECT_EQ(mujoco.model->npair, 1);
+}
+
 TEST(MuJoCo, LockedAndMimickedJoints) {
     const auto robot = panda();
     SphereModel model = spheres_on(robot);
