@@ -346,6 +346,8 @@ def _element(mj: Any, geom: Any, pose: Matrix, vertices: Mapping[str, Any]) -> d
         return {"kind": "sphere", "position": position.tolist(), "radius": float(size[0])}
     if geom.type == shape.mjGEOM_BOX:
         return {"kind": "box", **placed, "size": (2 * size).tolist()}
+    if geom.type == shape.mjGEOM_ELLIPSOID:
+        return {"kind": "ellipsoid", **placed, "radii": size.tolist()}
     if geom.type == shape.mjGEOM_MESH:
         corners = np.array(vertices[geom.meshname], float).reshape(-1, 3) @ rotation.T + position
         return {"kind": "hull", "vertices": corners.tolist()}
