@@ -12,7 +12,7 @@ namespace {
 
 struct CertifyArguments {
     JudgeOptions judge;
-    std::string spheres, guarantee = "outer";
+    std::string model, guarantee = "outer";
     bool json = false;
 };
 
@@ -34,7 +34,7 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
             continue;
         }
         if (outer && model.elements[i].empty()) {
-            table += padded(original.links[i].link, width) + "  it has no spheres\n";
+            table += padded(original.links[i].link, width) + fmt::format("  {}\n", no_elements);
             continue;
         }
         table += fmt::format("{}  {:>{}}  {:>8}  {}\n", padded(original.links[i].link, width),
@@ -48,14 +48,14 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
     const bool outer = arguments.guarantee == "outer";
     const Original original = original_of(program, arguments.judge);
-    const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
+    const MatchedModel model = model_of(program, arguments.judge, original, arguments.model);
     const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
     const ProvedLinks proved = proved_links(original, model, proofs, outer ? Guarantee::outer : Guarantee::inner);
     // Those that --link excludes are not asked for: the exit code is of the others, the verdict of the whole robot.
     const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},
-                                          {"model", arguments.spheres},
+                                          {"model", arguments.model},
                                           {"model_format", model.file.format},
                                           {"guarantee", arguments.guarantee},
                                           {"certified", proved.all()},
@@ -66,14 +66,14 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     } else if (failed == 0) {
         const KindCounts kinds = kinds_of_model(model);
         const std::string missing = missing_text(proved);
-        print(fmt::format("Certified{} ({}): {} on {}{}, {}.\n{}{}", proved.all() ? "" : " in part", arguments.guarantee,
-                          outer ? fmt::format("the {}geometry lies inside the {}",
-                                              missing.empty() ? "" : "surface of the ", proved.elements)
-                                : "the spheres lie inside the geometry",
-                          proved.all() ? "" : fmt::format("{} of ", proofs.size()),
-                          counted(proved.with_geometry, "link"), counts_text(kinds), missing,
-                          missing.empty() ? "" : ".\n") +
-              not_judged_text(proved));
+        print(
+            fmt::format("Certified{} ({}): {} on {}{}, {}.\n{}{}", proved.all() ? "" : " in part", arguments.guarantee,
+                        outer ? fmt::format("the {}geometry lies inside the {}",
+                                            missing.empty() ? "" : "surface of the ", proved.elements)
+                              : fmt::format("the {} lie inside the geometry", proved.elements),
+                        proved.all() ? "" : fmt::format("{} of ", proofs.size()), counted(proved.with_geometry, "link"),
+                        counts_text(kinds), missing, missing.empty() ? "" : ".\n") +
+            not_judged_text(proved));
     } else {
         print(table_of_proofs(original, model, proofs, outer) +
               fmt::format("Not certified ({}): {} of {}.\n", arguments.guarantee, failed,
@@ -86,24 +86,24 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
 } // namespace
 
 void add_certify(Program& program) {
-    CLI::App* command = add_command(program, "certify", "Prove that spheres cover a geometry, or find a gap",
+    CLI::App* command = add_command(program, "certify", "Prove that elements cover a geometry, or find a gap",
                                     "  foam certify robot.urdf robot_spheres.urdf\n"
                                     "  foam certify part.stl part.json --json\n"
                                     "\n"
                                     "The proof covers every triangle of the raw geometry. If it fails, foam prints\n"
-                                    "a point outside the spheres (witness), and the length by which the radius of\n"
-                                    "the nearest sphere would have to grow to cover it (growth).\n"
+                                    "a point outside the elements (witness), and the length by which the nearest\n"
+                                    "element would have to grow to cover it (growth).\n"
                                     "Exit codes: 0 certified, 1 not certified, 2 invalid command line. They are of\n"
                                     "the links that were asked for.");
     auto arguments = std::make_shared<CertifyArguments>();
     add_judge_options(*command, program, arguments->judge);
-    command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")
-        ->type_name("SPHERES")
+    command->add_option("model", arguments->model, "The model, spheres or other elements; - is the standard input")
+        ->type_name("MODEL")
         ->required();
-    program.standard_input.may_be(arguments->spheres, StandardInput::Holds::model);
+    program.standard_input.may_be(arguments->model, StandardInput::Holds::model);
     command
         ->add_option("--guarantee", arguments->guarantee,
-                     "outer: the geometry lies inside the spheres; inner: the spheres lie inside the geometry")
+                     "outer: the geometry lies inside the elements; inner: the elements lie inside the geometry")
         ->type_name("outer|inner")
         ->capture_default_str()
         ->check(CLI::IsMember({"outer", "inner"}).description(""));

@@ -81,8 +81,10 @@ void add_compare(Program& program) {
                                     "The figures are those of `foam evaluate`.");
     auto arguments = std::make_shared<CompareArguments>();
     add_judge_options(*command, program, arguments->judge);
-    command->add_option("models", arguments->models, "The sphere models; one may be -, the standard input")
-        ->type_name("SPHERES")
+    command
+        ->add_option("models", arguments->models,
+                     "The models, spheres or other elements; one may be -, the standard input")
+        ->type_name("MODEL")
         ->required();
     program.standard_input.may_be(arguments->models, StandardInput::Holds::model);
     command->add_option("--html", arguments->html, "Also write one HTML file with tables and pictures")

@@ -84,7 +84,7 @@ std::string poses_text(const Robot& robot, const Consequences& found) {
 
 struct EvaluateArguments {
     JudgeOptions judge;
-    std::string spheres;
+    std::string model;
     std::vector<std::string> clips;
     PoseOptions poses;
     std::uint64_t seed = 0;
@@ -194,7 +194,7 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     for (const std::string& text : arguments.clips) {
         planes.push_back(plane_of(text, original));
     }
-    const MatchedModel model = model_of(program, arguments.judge, original, arguments.spheres);
+    const MatchedModel model = model_of(program, arguments.judge, original, arguments.model);
     const Evaluation evaluation = evaluate(original, model, arguments.seed);
     std::optional<Consequences> consequences;
     if (in_poses(arguments)) {
@@ -215,11 +215,10 @@ int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     } else {
         const KindCounts kinds = kinds_of_model(model);
         const ProvedLinks verdict = proved_links(original, model, evaluation);
-        print(fmt::format("{} ({}): {} for {}\n", arguments.spheres, model.file.format, counts_text(kinds),
+        print(fmt::format("{} ({}): {} for {}\n", arguments.model, model.file.format, counts_text(kinds),
                           arguments.judge.original) +
               table_of_figures(original, evaluation, spheres_alone(kinds) ? "spheres" : "elements", verdict) +
-              verdict_of(verdict) + not_judged_text(verdict) +
-              planes_text(planes, original, model) +
+              verdict_of(verdict) + not_judged_text(verdict) + planes_text(planes, original, model) +
               (consequences ? "\n" + poses_text(*original.robot, *consequences) : ""));
     }
     return 0;
@@ -256,7 +255,7 @@ void add_pose_options(CLI::App& command, PoseOptions& options) {
 } // namespace
 
 void add_evaluate(Program& program) {
-    CLI::App* command = add_command(program, "evaluate", "Measure the quality of a sphere model",
+    CLI::App* command = add_command(program, "evaluate", "Measure the quality of a model of spheres or other elements",
                                     "  foam evaluate robot.urdf robot_spheres.urdf\n"
                                     "  foam evaluate panda.urdf franka.yml --json    cuRobo, Lula, XRDF, MorphIt, …\n"
                                     "  foam evaluate part.stl part.json\n"
@@ -264,23 +263,24 @@ void add_evaluate(Program& program) {
                                     "  foam evaluate robot.urdf model.urdf --poses 1000   false and missed contacts\n"
                                     "\n"
                                     "foam recognises formats by the content of the file. Columns of the table:\n"
-                                    "  covered    share of the surface inside the spheres\n"
-                                    "  gap        how far the geometry extends beyond the spheres\n"
-                                    "  excess     volume of the spheres outside the link / volume of the link\n"
-                                    "  missing    volume of the link outside the spheres / volume of the link\n"
-                                    "  out        how far the spheres extend beyond the link\n"
+                                    "  covered    share of the surface inside the elements\n"
+                                    "  gap        how far the geometry extends beyond the elements\n"
+                                    "  excess     volume of the elements outside the link / volume of the link\n"
+                                    "  missing    volume of the link outside the elements / volume of the link\n"
+                                    "  out        how far the elements extend beyond the link\n"
                                     "  certified  gap = 0 is proved\n"
                                     "A number after ± is a standard error.");
     auto arguments = std::make_shared<EvaluateArguments>();
     add_judge_options(*command, program, arguments->judge);
-    command->add_option("spheres", arguments->spheres, "The sphere model; - is the standard input")
-        ->type_name("SPHERES")
+    command->add_option("model", arguments->model, "The model, spheres or other elements; - is the standard input")
+        ->type_name("MODEL")
         ->required();
-    program.standard_input.may_be(arguments->spheres, StandardInput::Holds::model);
+    program.standard_input.may_be(arguments->model, StandardInput::Holds::model);
     command
-        ->add_option("--clip", arguments->clips,
-                     "Report how far the spheres of LINK extend beyond the plane n · p = OFFSET of its frame, with the "
-                     "unit normal n along NX,NY,NZ; OFFSET in m or with a unit, e.g. 5mm; repeatable")
+        ->add_option(
+            "--clip", arguments->clips,
+            "Report how far the elements of LINK extend beyond the plane n · p = OFFSET of its frame, with the "
+            "unit normal n along NX,NY,NZ; OFFSET in m or with a unit, e.g. 5mm; repeatable")
         ->type_name("LINK=NX,NY,NZ,OFFSET")
         ->expected(1)
         ->take_all();

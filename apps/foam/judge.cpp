@@ -25,10 +25,9 @@ Renames renames_of(const std::vector<std::string>& texts) {
 
 void add_renames(CLI::App& command, std::vector<std::string>& texts) {
     command
-        .add_option(
-            "--rename", texts,
-            "Rename links of SPHERES to match ORIGINAL: the name or prefix OLD becomes NEW; '=LINK' for spheres "
-            "without a link name; repeatable")
+        .add_option("--rename", texts,
+                    "Rename links of MODEL to match ORIGINAL: the name or prefix OLD becomes NEW; '=LINK' for elements "
+                    "without a link name; repeatable")
         ->type_name("OLD=NEW")
         ->expected(1)
         ->take_all();
@@ -37,7 +36,7 @@ void add_renames(CLI::App& command, std::vector<std::string>& texts) {
 CLI::Option* add_reader(CLI::App& command, std::string& reader) {
     return command
         .add_option("--reader", reader,
-                    "Stage that reads SPHERES, such as read.curobo; default: the one that recognises the file")
+                    "Stage that reads MODEL, such as read.curobo; default: the one that recognises the file")
         ->type_name("STAGE");
 }
 
@@ -73,7 +72,7 @@ void add_judge_options(CLI::App& command, Program& program, JudgeOptions& option
     program.standard_input.may_be(options.original, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
     add_geometry(command, options.geometry,
-                 "The geometry of a robot that spheres are judged by: collision, visual or both");
+                 "The geometry of a robot that elements are judged by: collision, visual or both");
     add_mesh_unit(command, options.unit);
     add_reader(command, options.reader);
     add_renames(command, options.renames);

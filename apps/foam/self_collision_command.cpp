@@ -313,7 +313,7 @@ void add_model_options(CLI::App& command, Program& program, SelfCollisionArgumen
     CLI::Option* model = command
                              .add_option("--model", arguments.model,
                                          "Spheres of the robot's links, in any format that `foam evaluate` reads")
-                             ->type_name("SPHERES");
+                             ->type_name("MODEL");
     add_reader(command, arguments.reader)->needs(model);
     add_renames(command, arguments.renames);
 }

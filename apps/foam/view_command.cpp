@@ -201,7 +201,7 @@ int view(Program& program, const ViewArguments& arguments) {
 } // namespace
 
 void add_view(Program& program) {
-    CLI::App* command = add_command(program, "view", "Show robots and sphere models in a browser, and edit spheres",
+    CLI::App* command = add_command(program, "view", "Show robots and models in a browser, and edit spheres",
                                     "  foam view robot.urdf                      the page searches for spheres\n"
                                     "  foam view robot.urdf a.urdf b.yaml        two models of it, side by side\n"
                                     "  foam view robot_spheres.urdf              a model alone: nothing is proved\n"
@@ -214,8 +214,8 @@ void add_view(Program& program) {
     command
         ->add_option(
             "models", arguments->models,
-            "A URDF or a mesh, then sphere models of it in any format that is read; or a sphere model alone; one may "
-            "be -, the standard input")
+            "A URDF or a mesh, then models of it, spheres or other elements in any format that is read; or such a "
+            "model alone; one may be -, the standard input")
         ->type_name("MODEL")
         ->required();
     program.standard_input.may_be(arguments->models, StandardInput::Holds::model);
@@ -238,7 +238,7 @@ void add_view(Program& program) {
     command->add_option("--srdf", arguments->srdf, "Take named poses from the group states of this SRDF")
         ->type_name("FILE");
     add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that spheres are judged by: collision, visual or both");
+                 "The geometry of a robot that elements are judged by: collision, visual or both");
     add_mesh_unit(*command, arguments->unit);
     add_reader(*command, arguments->reader);
     add_renames(*command, arguments->renames);

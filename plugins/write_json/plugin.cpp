@@ -5,7 +5,9 @@
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <algorithm>
 
@@ -57,9 +59,9 @@ void require_spheres(const SphereModel& model) {
         for (const SphereTree::Level& level : group.tree.levels) {
             if (!level.elements.are_spheres()) {
                 throw Error(ErrorCode::output,
-                            fmt::format("link '{}' has a {}, and the layouts of CoMMALab/foam hold spheres only; "
+                            fmt::format("link '{}' has {}, and the layouts of CoMMALab/foam hold spheres only; "
                                         "remedy: layout: links",
-                                        group.link, to_string(level.elements.shaped().front().kind)));
+                                        group.link, with_article(noun_of(level.elements.shaped().front().kind, 1))));
             }
         }
     }

@@ -103,9 +103,8 @@ public:
         const Value* action = marker.find("action");
         const Value& scale = at(marker, "scale");
         const Vec3 size = point(scale);
-        const bool round = type == sphere_type || type == cylinder_type;
-        if ((!round && type != cube_type && type != triangles_type) || (action && number(*action) != 0) ||
-            (round && size.x != size.y) || (type == sphere_type && size.x != size.z)) {
+        const bool known = type == sphere_type || type == cylinder_type || type == cube_type || type == triangles_type;
+        if (!known || (action && number(*action) != 0) || (type == cylinder_type && size.x != size.y)) {
             ++left_out_;
             return;
         }
@@ -120,7 +119,7 @@ public:
             return;
         }
         LinkSpheres& link = link_of(result, frame.text);
-        if (type == sphere_type) {
+        if (type == sphere_type && size.x == size.y && size.x == size.z) {
             link.elements.add(Sphere{pose.translation, size.x / 2});
             return;
         }
@@ -128,8 +127,8 @@ public:
         if (type == triangles_type) {
             element.kind = Element::Kind::hull;
             element.hull = hull;
-        } else if (type == cube_type) {
-            element.kind = Element::Kind::box;
+        } else if (type == cube_type || type == sphere_type) { // with three diameters it is an ellipsoid
+            element.kind = type == cube_type ? Element::Kind::box : Element::Kind::ellipsoid;
             element.half = size * 0.5;
         } else {
             element.kind = Element::Kind::cylinder;

@@ -203,8 +203,8 @@ private:
         const Node* element = shape.child(name);
         const std::vector<double> values = element ? numbers(*element) : std::vector<double>{};
         if (values.size() != 3) {
-            fail(element ? *element : shape, fmt::format("a{} {} needs a <{}> of three numbers",
-                                                         shape.name.starts_with('e') ? "n" : "", shape.name, name));
+            fail(element ? *element : shape,
+                 fmt::format("{} needs a <{}> of three numbers", with_article(shape.name), name));
         }
         return {values[0], values[1], values[2]};
     }
@@ -213,7 +213,7 @@ private:
         const Node* element = shape.child(name);
         const std::vector<double> values = element ? numbers(*element) : std::vector<double>{};
         if (values.size() != 1) {
-            fail(element ? *element : shape, fmt::format("a {} needs one <{}>", shape.name, name));
+            fail(element ? *element : shape, fmt::format("{} needs one <{}>", with_article(shape.name), name));
         }
         return values.front();
     }

@@ -49,16 +49,38 @@ MassProperties stated_mass(const Inertial& inertial, const Robot& robot, const s
             .inertia = {turned(0, 0), turned(1, 1), turned(2, 2), turned(0, 1), turned(0, 2), turned(1, 2)}};
 }
 
-/// Returns whether MuJoCo accepts the mass of a body: positive, and moments of inertia that are positive and of which
-/// none is larger than the sum of the others (user_objects.cc of 2.2.2 and 3.14).
-bool is_of_a_body(const MassProperties& mass) {
-    constexpr double least = 1e-14; // mjMINVAL is 1e-15
+/// Least mass and least moment of inertia that are written, in kg and kg m²: MuJoCo refuses those below mjEPS, 1e-14,
+/// and rounds in between (user_objects.cc of 2.2.2 and 3.14).
+constexpr double least_inertia = 2e-14;
+
+/// Returns the principal moments of inertia, ascending.
+Eigen::Vector3d principal_moments(const MassProperties& mass) {
     const auto& [xx, yy, zz, xy, xz, yz] = mass.inertia;
     Eigen::Matrix3d inertia;
     inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    const Eigen::Vector3d moments =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues(); // ascending
-    return mass.mass > least && moments[0] > least && moments[0] + moments[1] >= moments[2] * (1 - 1e-9);
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// Returns whether a body can have the mass: positive, and moments of inertia that are positive and of which none is
+/// larger than the sum of the others.
+bool is_of_a_body(const MassProperties& mass) {
+    constexpr double rounding = 1e-14; // of the largest moment
+    const Eigen::Vector3d moments = principal_moments(mass);
+    return mass.mass > 0 && moments[0] > rounding * moments[2] && moments[0] + moments[1] >= moments[2] * (1 - 1e-9);
+}
+
+/// Raises a mass that MuJoCo refuses, and all moments by the same, so that they stay those of a body. Returns whether
+/// it did.
+bool raise(MassProperties& mass) {
+    const double missing = least_inertia - principal_moments(mass)[0];
+    if (mass.mass >= least_inertia && missing <= 0) {
+        return false;
+    }
+    mass.mass = std::max(mass.mass, least_inertia);
+    for (std::size_t i = 0; i < 3; ++i) { // xx yy zz
+        mass.inertia[i] += std::max(missing, 0.0);
+    }
+    return true;
 }
 
 /// The order of fullinertia is xx yy zz xy xz yz.
@@ -143,6 +165,13 @@ public:
                             "stays, centre and inertia are those of the geometry, of the spheres where it has no "
                             "volume, or of a ball of water where there is neither; remedy: correct <inertial>",
                             fmt::join(impossible_, ", ")));
+        }
+        if (!raised_.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("MuJoCo refuses a mass below 1e-14 kg and a moment of inertia below 1e-14 kg m²; "
+                                     "those of {} are raised to at least 2e-14; remedy: a robot in other units, such "
+                                     "as millimetres",
+                                     fmt::join(raised_, ", ")));
         }
         tell(from_geometry_, "the collision geometry");
         tell(from_open_, "the collision geometry, whose meshes are not closed: the winding number decides what lies "
@@ -262,15 +291,15 @@ private:
         const std::optional<Inertial>& inertial = model_.robot->find_link(link)->inertial;
         const auto stated = inertial ? std::optional(stated_mass(*inertial, *model_.robot, link)) : std::nullopt;
         if (stated && is_of_a_body(*stated)) {
-            line(depth, inertial_text(*stated));
+            add_inertial(link, *stated, depth);
         } else if (stated && stated->mass > 0) {
             impossible_.push_back(link);
-            line(depth, inertial_text(mended(link, *stated)));
+            add_inertial(link, mended(link, *stated), depth);
         } else if (stated && !moves) {
             return; // a body of the world needs no mass
         } else if (const auto other = invented(link)) {
             other->from->push_back(link);
-            line(depth, inertial_text(other->mass));
+            add_inertial(link, other->mass, depth);
         } else if (moves) {
             throw Error(
                 ErrorCode::output,
@@ -278,6 +307,13 @@ private:
                             "moving bodies without mass; remedy: add <inertial> to the URDF",
                             link));
         }
+    }
+
+    void add_inertial(const std::string& link, MassProperties mass, std::size_t depth) {
+        if (raise(mass)) {
+            raised_.push_back(link);
+        }
+        line(depth, inertial_text(mass));
     }
 
     /// Returns the stated mass with the centre and inertia of the link's geometry; of a ball of water with that mass if
@@ -350,6 +386,7 @@ private:
     std::map<std::string, Elements> elements_; ///< of each link
     MjcfShapes shapes_;
     std::vector<std::string> impossible_; ///< links whose stated inertia no body has
+    std::vector<std::string> raised_;     ///< links whose mass or inertia is below what MuJoCo takes
     std::vector<std::string> from_geometry_, from_open_, from_spheres_,
         from_elements_; ///< links by what their mass is made of
     JointValues locked_;

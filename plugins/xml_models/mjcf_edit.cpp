@@ -35,6 +35,7 @@ public:
         for (const LinkSpheres& link : links) {
             put(link, body_of(link.link));
         }
+        require_known_names();
         if (others_ > 0) {
             context_.log(Severity::warning,
                          fmt::format("{} geom{} with contact {} no sphere{} and stay{}; remedy: collision: true to "
@@ -192,7 +193,8 @@ private:
             weighed_by_spheres_.push_back(shown(link.link));
         }
         const std::string* own_class = old.empty() ? nullptr : old.front()->attribute("class");
-        const std::string kind = "<geom" + (own_class ? attribute_text("class", *own_class) : std::string());
+        const std::string kind = "<geom" + name_of_one(old, link.elements.size()) +
+                                 (own_class ? attribute_text("class", *own_class) : std::string());
         const std::string end = std::string(own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
                                 (weighed ? attribute_text("mass", "0") : "");
         std::vector<std::string> geoms;
@@ -207,6 +209,85 @@ private:
         editor_.replace_children(body, old, geoms);
     }
 
+    /// Returns ` name=…` where one geom replaces one, so that what names it finds it. The names of others are lost.
+    std::string name_of_one(const std::vector<const xml::Element*>& old, std::size_t count) {
+        const bool alone = old.size() == 1 && count == 1;
+        std::string text;
+        for (const xml::Element* geom : old) {
+            if (const std::string* name = geom->attribute("name"); name && alone) {
+                text = attribute_text("name", *name);
+            } else if (name) {
+                lost_names_.insert(*name);
+            }
+        }
+        return text;
+    }
+
+    /// Throws if an element names a geom whose name is lost.
+    void require_known_names() const {
+        std::vector<Naming> found;
+        add_naming(*root_, found);
+        if (!found.empty()) {
+            const auto& [element, attribute] = found.front();
+            std::vector<int> others;
+            for (const Naming& other : found) {
+                if (other.element->line != (others.empty() ? element->line : others.back())) {
+                    others.push_back(other.element->line);
+                }
+            }
+            throw Error(
+                ErrorCode::input,
+                fmt::format("{}:{}: <{} {}=\"{}\"> names a geom that is replaced by others without names, so "
+                            "MuJoCo would refuse the file{}; remedy: remove <{}>, or keep the geom by "
+                            "contype=\"0\" conaffinity=\"0\"",
+                            file_, element->line, element->name, attribute, shown(*element->attribute(attribute)),
+                            others.empty() ? ""
+                                           : fmt::format(" (so do{} {})", others.size() == 1 ? "es line" : " lines",
+                                                         fmt::join(others, ", ")),
+                            element->name));
+        }
+        warn_of_included(*root_);
+    }
+
+    struct Naming {
+        const xml::Element* element = nullptr;
+        const char* attribute = nullptr;
+    };
+
+    /// Adds the elements that name lost geoms: pairs, sensors, tendons, tuples. All use these few attributes.
+    void add_naming(const xml::Element& element, std::vector<Naming>& found) const {
+        const auto add = [&](const char* attribute, const char* type) {
+            const std::string *name = element.attribute(attribute), *of = type ? element.attribute(type) : nullptr;
+            if (name && lost_names_.contains(*name) && (!type || (of && *of == "geom"))) {
+                found.push_back({&element, attribute});
+            }
+        };
+        add("geom", nullptr);
+        add("geom1", nullptr);
+        add("geom2", nullptr);
+        add("objname", "objtype");
+        add("refname", "reftype");
+        for (const auto& child : element.children) {
+            add_naming(*child, found);
+        }
+    }
+
+    void warn_of_included(const xml::Element& element) const {
+        if (element.name == "include" && !lost_names_.empty()) {
+            std::vector<std::string> names;
+            for (const std::string& name : lost_names_) {
+                names.push_back(shown(name));
+            }
+            context_.log(Severity::warning,
+                         fmt::format("{}:{}: the file that is included may name geoms that are replaced by others "
+                                     "without names: {}; remedy: remove what names them",
+                                     file_, element.line, fmt::join(names, ", ")));
+        }
+        for (const auto& child : element.children) {
+            warn_of_included(*child);
+        }
+    }
+
     std::string file_;
     const MjcfReplacement& what_;
     Context& context_;
@@ -218,6 +299,7 @@ private:
     std::vector<std::string> weighed_by_spheres_;
     MjcfShapes shapes_;
     std::set<const xml::Element*> replaced_; ///< geoms
+    std::set<std::string> lost_names_;       ///< of geoms
 };
 
 } // namespace

@@ -112,7 +112,7 @@ Pose MjcfElements::pose_of(const MjcfGeom& geom) const {
 std::optional<Element> MjcfElements::between(const MjcfGeom& geom, Element element) const {
     const std::vector<double> v = numbers(geom, "fromto", 6);
     const Vec3 from{v[0], v[1], v[2]}, to{v[3], v[4], v[5]};
-    element.pose = turned_z(from - to); // as MuJoCo does; it matters for no kind that may have it here
+    element.pose = turned_z(from - to); // as MuJoCo does; it matters for a box
     element.pose.translation = (from + to) * 0.5;
     element.half.z = norm(to - from) / 2;
     return element;
@@ -149,11 +149,16 @@ std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::strin
         element.pose = pose_of(geom);
         return element;
     }
-    if ((type == "box" || type == "ellipsoid") && !geom.text("fromto")) {
+    if (type == "box" || type == "ellipsoid") {
+        Element element{.kind = type == "box" ? Kind::box : Kind::ellipsoid};
+        if (geom.text("fromto")) { // as wide as it is high
+            element.half.x = element.half.y = numbers(geom, "size", 1)[0];
+            return between(geom, element);
+        }
         const std::vector<double> half = numbers(geom, "size", 3);
-        return Element{.kind = type == "box" ? Kind::box : Kind::ellipsoid,
-                       .pose = pose_of(geom),
-                       .half = {half[0], half[1], half[2]}};
+        element.half = {half[0], half[1], half[2]};
+        element.pose = pose_of(geom);
+        return element;
     }
     why = shown(type);
     return {};

@@ -9,6 +9,8 @@ Submodules are imported when they are first used, and NumPy with them.
 from __future__ import annotations
 
 import importlib
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 try:
@@ -35,6 +37,9 @@ if TYPE_CHECKING:
     from ._threads import set_threads, thread_count, threads
 
 __version__: str = _core.version()
+
+#: The kinds of elements, each with the names of its numbers; "position" and "rotation" are those of all.
+KINDS: Mapping[str, tuple[str, ...]] = MappingProxyType(_core.KINDS)
 
 #: The module of each public name.
 _HOMES = {

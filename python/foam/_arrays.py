@@ -45,6 +45,16 @@ def index_rows(value: Any, what: str) -> NDArray[np.int64]:
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
+def for_each(value: Any, what: str, count: int, of: str) -> NDArray[np.float64]:
+    """Return one number for each of `count`, from as many or from one. Raises InputError for anything else."""
+    array = _array(value, what)
+    if array.dtype.kind not in "fiu" and array.size:
+        raise InputError(f"{what}: numbers are expected, got dtype {array.dtype}")
+    if array.shape not in ((), (count,)):
+        raise InputError(f"{what}: one number, or shape ({count},) for {count} {of} is expected, got {array.shape}")
+    return np.broadcast_to(array.astype(np.float64), (count,))
+
+
 def _check_shape(array: NDArray[Any], what: str, columns: int) -> None:
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"{what}: shape (n, {columns}) is expected, got {array.shape}; remedy: one row for each of them")

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+KINDS: dict[str, tuple[str, ...]]
+
 class Rows:
     def __buffer__(self, flags: int) -> memoryview: ...
 

@@ -147,7 +147,7 @@ def _region(region: Any, radii: Any) -> Mesh:
     if radii is None:
         return mesh_of(region).copy()
     points = _arrays.rows(region, "points")
-    wide = np.broadcast_to(np.asarray(radii, dtype=np.float64), (len(points),))
+    wide = _arrays.for_each(radii, "radii", len(points), "points")
     return Mesh._of(_core.mesh_of_balls(np.column_stack([points, wide])))
 
 
@@ -195,7 +195,7 @@ def cover(
         region: a path, (vertices, faces), or an object with vertices and faces (foam.Mesh, trimesh) or triangles
             (Open3D); metres, any frame. With `radii`: points, (n, 3).
         elements: the greatest number of elements, at least 1.
-        kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", one or several.
+        kinds: of elements, one or several of `foam.KINDS`, such as "capsule".
         radii: of the points, (n,) or one number, metres: the surface of the union of their balls is covered; `missing`
             says how much of the inside is not. 0: a millionth of the size of all points.
         effort: "fast" (milliseconds), "normal" or "best".

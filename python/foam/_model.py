@@ -65,10 +65,9 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     def elements(self, link: str) -> list[dict[str, Any]]:
         """Return all elements of a link as dictionaries, spheres first. The arrays of the mapping have the spheres alone.
 
-        Each has "kind", "position" and what its kind needs, in metres: "radius" of a sphere; "length" (of the axis,
-        without caps) and "radius" of a capsule or cylinder along z; "size" of a box; "size" of the inner box and
-        "radius" of a swept_box; "vertices" of a hull; "radii" (half axes) of an ellipsoid. "rotation" has the rows of the
-        matrix from the element's frame to the link's.
+        Each has "kind", "position" and what its kind needs by `foam.KINDS`, in metres: "radius"; "length" along z, of the
+        axis without caps; "size" of a box, with a radius that of the box within; "vertices"; "radii", the half axes.
+        "rotation" has the rows of the matrix from the element's frame to the link's.
         """
         spheres = [{"kind": "sphere", "position": row[:3].tolist(), "radius": float(row[3])} for row in self[link]]
         return spheres + [dict(element) for element in self._elements.get(link, [])]

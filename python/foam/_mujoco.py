@@ -278,7 +278,8 @@ def _put(
             values |= dict(zip(("pos", "quat", "size"), _placed(mj, geom, frames[link].pose), strict=True))
             known[body].add_geom(**values, **contact)
             count += 1
-    named = [pair.name for pair in spec.pairs if {pair.geomname1, pair.geomname2} & off - {""}]
+    still = [pair for pair in spec.pairs if {pair.geomname1, pair.geomname2} & off - {""}]
+    named = [pair.name or f"{pair.geomname1} and {pair.geomname2}" for pair in still]
     if named:
         warnings.warn(f"to_mujoco: <pair> elements still name geoms that are switched off: {', '.join(named)}", stacklevel=4)
     excluded = {frozenset((one.bodyname1, one.bodyname2)) for one in spec.excludes}
@@ -346,6 +347,8 @@ def _element(mj: Any, geom: Any, pose: Matrix, vertices: Mapping[str, Any]) -> d
         return {"kind": "sphere", "position": position.tolist(), "radius": float(size[0])}
     if geom.type == shape.mjGEOM_BOX:
         return {"kind": "box", **placed, "size": (2 * size).tolist()}
+    if geom.type == shape.mjGEOM_ELLIPSOID:
+        return {"kind": "ellipsoid", **placed, "radii": size.tolist()}
     if geom.type == shape.mjGEOM_MESH:
         corners = np.array(vertices[geom.meshname], float).reshape(-1, 3) @ rotation.T + position
         return {"kind": "hull", "vertices": corners.tolist()}

@@ -183,8 +183,7 @@ class Robot:
 
         Args:
             elements: the greatest number of elements of the whole robot.
-            kinds: of elements: "sphere", "capsule", "cylinder", "box", "swept_box", "hull", "ellipsoid", one or
-                several.
+            kinds: of elements, one or several of `foam.KINDS`, such as "capsule".
             cost: the greatest cost of checking all elements, instead of their number.
             costs: of a check by kind: {"capsule": 2, "hull_vertex": 0.1}; only with `cost`.
             objective: what is minimised: "excess", "mean_protrusion" or "protrusion".

@@ -113,4 +113,17 @@ SphereFile file_of_model(const SphereModel& model) {
     return file;
 }
 
+py::dict numbers_of_kinds() {
+    py::dict kinds;
+    for (const Element::Kind kind : every_kind()) {
+        const auto names = number_names(kind);
+        py::tuple numbers(names.size());
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            numbers[i] = py::str(names[i].data(), names[i].size());
+        }
+        kinds[to_string(kind)] = numbers;
+    }
+    return kinds;
+}
+
 } // namespace foam::python

@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, module) {
     namespace py = pybind11;
     using namespace foam::python;
     add_errors(module);
+    module.attr("KINDS") = numbers_of_kinds();
     add_mesh(module);
     add_search(module);
     add_stages(module);

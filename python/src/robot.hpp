@@ -62,12 +62,13 @@ void add_mesh(py::module_& module);
 
 namespace py = pybind11;
 
-/// Returns {"kind", "position", "rotation": rows, …}: "radius" and "length" (of the axis, without caps) for capsules and
-/// cylinders, "size" (of the box) for boxes and swept boxes, with "radius" for the latter, "vertices" for hulls.
+/// Returns {"kind", "position", "rotation": rows, …} with the numbers of its kind, by numbers_of_kinds().
 py::dict dict_of(const Element& element);
 /// Returns the element of such a dictionary. Throws Error(usage) for a key that is missing or unknown, and for numbers
 /// of no body.
 Element element_of_dict(const py::dict& values);
+/// Returns {"capsule": ("length", "radius"), …}: the names of the numbers of each kind.
+py::dict numbers_of_kinds();
 
 /// Returns [(link, [dictionary, …]), …] of the links with such elements.
 py::list elements_of(const SphereFile& file);

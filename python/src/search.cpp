@@ -120,7 +120,7 @@ std::pair<double, double> volumes_of_elements(const HeldMesh& mesh, const std::v
             return nothing_inside;
         }
         const auto [excess, missing] = excess_and_missing_volume(*solid, level);
-        return std::pair(excess / own, missing / own);
+        return std::pair(excess / own, missing_share(missing, own));
     });
 }
 
@@ -134,7 +134,7 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
             return nothing_inside;
         }
         const double missing = solid->missing_volume(spheres);
-        return std::pair((volume - own + missing) / own, missing / own);
+        return std::pair((volume - own + missing) / own, missing_share(missing, own));
     });
 }
 

@@ -293,10 +293,14 @@ static void test_cover(void) {
     EXPECT(foam_cover(NULL, 2, FOAM_BOX, &fast, &elements, &report) == FOAM_USAGE && !elements);
     const foam_options radius = {.size = sizeof radius, .objective = FOAM_RADIUS};
     EXPECT(foam_cover(region, 2, FOAM_BOX, &radius, &elements, &report) == FOAM_USAGE && strstr(report.error, "remedy"));
+    EXPECT(foam_cover(region, 0, FOAM_BOX, &fast, &elements, &report) == FOAM_USAGE && !elements);
+    EXPECT(!strcmp(report.error, "count is 0; remedy: 1 to 1000000 elements"));
     foam_region_free(region);
     const double wrong[3] = {-1, 0, 0};
     EXPECT(foam_region_of_points(points[0], wrong, 3, &region, &report) == FOAM_GEOMETRY && !region);
     EXPECT(foam_region_of_points(NULL, NULL, 0, &region, &report) == FOAM_GEOMETRY && !region);
+    EXPECT(foam_region_of_points(points[0], radii, SIZE_MAX, &region, &report) == FOAM_USAGE && !region);
+    EXPECT(!strcmp(report.error, "count is 18446744073709551615; remedy: at most 4294967295 points"));
     EXPECT(foam_region_of_mesh(grid[0], grid_vertices, grid_faces[0], grid_triangles, &region, &report) == FOAM_OK);
     EXPECT(foam_cover(region, 4, FOAM_CAPSULE | FOAM_BOX, &fast, &elements, &report) == FOAM_OK && report.certified);
     foam_elements_free(elements);

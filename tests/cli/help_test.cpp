@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <regex>
+
 namespace foam::test {
 namespace {
 
@@ -17,6 +19,16 @@ TEST_F(Cli, HelpOfACommandIsThatOfItsOption) {
     const Outcome unknown = foam("help spherise");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_THAT(unknown.err, HasSubstr("unknown command 'spherise'; did you mean 'spherize'?"));
+}
+
+TEST_F(Cli, HelpSpeaksOfElementsWhereAnyMayBe) {
+    for (const char* command : {"certify", "evaluate", "view"}) {
+        const std::string help =
+            std::regex_replace(foam(std::string(command) + " --help").out, std::regex("\\s+"), " ");
+        EXPECT_THAT(help, HasSubstr("spheres or other")) << command;
+        EXPECT_THAT(help, HasSubstr("elements are judged by")) << command;
+        EXPECT_THAT(help, Not(HasSubstr("inside the spheres"))) << command;
+    }
 }
 
 TEST_F(Cli, AFileInPlaceOfACommandNamesWhatReadsIt) {

@@ -141,7 +141,7 @@ TEST_F(CliSpherize, ATimeLimitGivesWhatThereIs) {
     const Outcome outcome = foam("spherize box.obj -n 64 --method grid --fresh --time-limit 0.0001 -o out.json --json");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("warning: the search ended at its time limit of 0.0001 s: these are the best "
-                                       "spheres so far; another run may give others\n"));
+                                       "elements so far; another run may give others\n"));
     EXPECT_THAT(outcome.out, HasSubstr("\"cut\": \"time limit\""));
     EXPECT_THAT(outcome.out, HasSubstr("\"certified\": true"));
     EXPECT_TRUE(std::filesystem::exists(path() / "out.json"));

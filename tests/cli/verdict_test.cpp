@@ -205,6 +205,34 @@ TEST_F(CliSurface, SoDoCertifyEvaluateAndConvert) {
     EXPECT_THAT(converted.out, HasSubstr("Proved: the surface of the collision geometry of 1 of 1 link lies inside its elements"));
 }
 
+/// Thin boxes on the faces of a rod across the axes, whose volume along lines is more than its own.
+TEST_F(CliSurface, NoMoreThanAllOfTheVolumeIsMissing) {
+    const double half[] = {1, 0.01, 0.01}, c = std::cos(0.61), s = std::sin(0.61), wall = 1e-5;
+    std::ostringstream mesh, boxes;
+    mesh.precision(17), boxes.precision(17);
+    for (int corner = 0; corner < 8; ++corner) {
+        const double x = corner & 1 ? 1 : -1, y = corner & 2 ? 0.01 : -0.01, z = corner & 4 ? 0.01 : -0.01;
+        mesh << "v " << c * x - s * y << ' ' << s * x + c * y << ' ' << z << '\n';
+    }
+    mesh << "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    for (int side = 0; side < 6; ++side) {
+        const int axis = side / 2;
+        double at[] = {0, 0, 0}, size[] = {2 * (half[0] + wall), 2 * (half[1] + wall), 2 * (half[2] + wall)};
+        at[axis] = side % 2 ? half[axis] : -half[axis];
+        size[axis] = 2 * wall;
+        boxes << (side ? ", " : "") << R"({"kind": "box", "position": [)" << c * at[0] - s * at[1] << ", "
+              << s * at[0] + c * at[1] << ", " << at[2] << R"(], "rotation": [[)" << c << ", " << -s << ", 0], [" << s
+              << ", " << c << R"(, 0], [0, 0, 1]], "size": [)" << size[0] << ", " << size[1] << ", " << size[2] << "]}";
+    }
+    write("needle.obj", mesh.str());
+    write("walls.json",
+          R"({"foam_spheres": 2, "units": "m", "frame": "link", "links": {"needle": {"spheres": [], "elements": [)" +
+              boxes.str() + "]}}}");
+    const Outcome certified = foam("certify needle.obj walls.json");
+    EXPECT_EQ(certified.code, 0) << certified.err;
+    EXPECT_THAT(certified.out, HasSubstr("\n100 % of the volume lies outside all elements.\n"));
+}
+
 TEST_F(CliSurface, NothingIsSaidWhereNothingIsMissing) {
     const Outcome outcome = foam("spherize rod.urdf -n 4 -o full.json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;

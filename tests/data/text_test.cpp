@@ -25,6 +25,11 @@ TEST(Text, NumbersComeBackExactly) {
     EXPECT_EQ(number_text(-0.0), "-0");
 }
 
+TEST(Text, ANounHasItsArticle) {
+    EXPECT_EQ(with_article("swept box"), "a swept box");
+    EXPECT_EQ(with_article("ellipsoid"), "an ellipsoid");
+}
+
 TEST(Text, OnlyWholeFiniteNumbersAreRead) {
     EXPECT_EQ(parse_number("+1.5e1"), 15);
     EXPECT_EQ(parse_number("-.5"), -0.5);

@@ -154,7 +154,7 @@ TEST_F(EvaluateCli, CertifySaysWhereTheProofFails) {
 TEST_F(EvaluateCli, ALinkWithoutSpheresIsNotCertified) {
     const Outcome outcome = foam("certify arm.urdf half.json");
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_THAT(outcome.out, HasSubstr("\ntip   it has no spheres\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("\ntip   it has no elements\n"));
 }
 
 TEST_F(EvaluateCli, CompareSideBySide) {

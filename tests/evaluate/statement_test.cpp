@@ -64,6 +64,10 @@ TEST(Statement, OfASurfaceAloneSaysSo) {
     }
     links.missing = 0.0001;
     EXPECT_EQ(missing_text(links), "0.01 % of the volume lies outside all spheres");
+    for (const double most : {0.996, 1.0}) {
+        links.missing = most;
+        EXPECT_EQ(missing_text(links), "100 % of the volume lies outside all spheres");
+    }
     for (const double unknown : {std::nan(""), HUGE_VAL}) {
         links.missing = unknown;
         EXPECT_EQ(missing_text(links), "how much of the volume lies outside all spheres was not measured");

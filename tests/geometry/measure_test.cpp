@@ -51,6 +51,16 @@ TEST(Measure, BallInACube) {
     EXPECT_NEAR(m.protrusion_max, 0, 1e-12);
 }
 
+TEST(Measure, NoMoreThanAllIsMissing) {
+    EXPECT_EQ(missing_share(1, 4), 0.25);
+    EXPECT_EQ(missing_share(4.1, 4), 1) << "other lines than those of the volume";
+    EXPECT_EQ(missing_share(1e-30, 0), 0) << "no volume, no share";
+    Measures m;
+    m.volume = 4;
+    m.missing_volume = 4.1;
+    EXPECT_EQ(total(std::array{m}).missing, 1);
+}
+
 TEST(Measure, CoveredShare) {
     // A ball about a corner covers a quarter disc on three faces.
     const auto cube = Solid::make(box({0, 0, 0}, {1, 1, 1}));

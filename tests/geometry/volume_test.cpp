@@ -30,6 +30,12 @@ TEST(Volume, ExactWithoutOverlap) {
     EXPECT_DOUBLE_EQ(Solid::make(apart)->volume(), 2);
 }
 
+TEST(Volume, IsNoneBelowTheAccuracyOfItsLines) {
+    EXPECT_DOUBLE_EQ(Solid::make(box({0, 0, 0}, {1, 1, 1e-7}))->volume(), 1e-7);
+    EXPECT_EQ(Solid::make(box({0, 0, 0}, {1, 1, 1e-10}))->volume(), 0) << "its lines are known to 1e-9 of its size";
+    EXPECT_EQ(Solid::make(box({0, 0, 0}, {1, 1e-10, 1e-10}))->volume(), 0);
+}
+
 TEST(Volume, OverlappingBoxes) {
     const Mesh a = box({0, 0, 0}, {1, 1, 1}), b = box({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5});
     EXPECT_NEAR(Solid::make(together(a, b))->volume(), 1.875, 2e-3);

@@ -417,10 +417,20 @@ def test_the_program_foam_starts_it(room):
     assert (ran.returncode, ran.stderr) == (0, "foam: x.yaml: good\n")
 
 
-def test_a_missing_module_is_named(room):
-    (room.folder / "pandas.py").write_text("raise ModuleNotFoundError('No module named pandas', name='pandas')\n")
+@pytest.mark.parametrize("module", ["pandas", "matplotlib"])
+def test_a_missing_module_is_named(room, module):
+    room.write("x.yaml", TIME)
+    (room.folder / f"{module}.py").write_text(f"raise ModuleNotFoundError('No module named {module}', name='{module}')\n")
     ran = subprocess.run([sys.executable, "-m", "foam.bench", "x.yaml"], cwd=room.folder, capture_output=True, text=True)
     assert ran.returncode == 2
     assert ran.stderr == (
-        f"foam: error: foam bench needs the Python module pandas, which {sys.executable} has not; remedy: apt-get install "
+        f"foam: error: foam bench needs the Python module {module}, which {sys.executable} has not; remedy: apt-get install "
         "python3-pandas python3-matplotlib python3-yaml, or pip install 'foam-spheres[bench]', or name another Python by FOAM_PYTHON\n")
+    assert not (room.folder / "out").exists()
+
+
+def test_a_check_needs_no_plots(room):
+    room.write("x.yaml", TIME)
+    (room.folder / "matplotlib.py").write_text("raise ModuleNotFoundError('No module named matplotlib', name='matplotlib')\n")
+    ran = subprocess.run([sys.executable, "-m", "foam.bench", "x.yaml", "--check"], cwd=room.folder, capture_output=True, text=True)
+    assert (ran.returncode, ran.stderr) == (0, "foam: x.yaml: good\n")

@@ -215,6 +215,16 @@ def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
     assert (again.missing, again.excess) == (cover.missing, cover.excess)
 
 
+def test_every_kind_has_its_numbers():
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]], float)
+    assert {"sphere", "capsule", "box", "hull"} <= set(foam.KINDS) and foam.KINDS["capsule"] == ("length", "radius")
+    for kind, numbers in foam.KINDS.items():
+        element = foam.cover(points, 1, kind, radii=0.1, effort="fast").elements[0]
+        assert element.pop("kind") == kind and set(element) - {"position", "rotation"} == set(numbers)
+    with pytest.raises(TypeError):
+        foam.KINDS["blob"] = ()
+
+
 def test_points_with_radii():
     points = np.random.default_rng(1).uniform(-1, 1, (50, 3))
     cover = foam.cover(points, 4, "capsule", radii=0.05, effort="fast")
@@ -226,6 +236,13 @@ def test_points_with_radii():
         foam.cover(points, 4, radii=-1.0)
     with pytest.raises(foam.InputError):
         foam.cover(points[:, :2], 4, radii=0.1)
+    for wrong in ([0.1, 0.2], np.full((50, 1), 0.1), [0.1]):
+        with pytest.raises(foam.InputError) as refused:
+            foam.cover(points, 4, "box", radii=wrong)
+        assert str(refused.value) == f"radii: one number, or shape (50,) for 50 points is expected, got {np.shape(wrong)}"
+    for wrong in ("wide", ["0.1"] * 50, 1j):
+        with pytest.raises(foam.InputError, match="radii: numbers are expected, got dtype"):
+            foam.cover(points, 4, "box", radii=wrong)
     with pytest.raises(foam.UsageError, match="spheres alone"):
         foam.cover(points, 4, "box", radii=0.1, objective="radius")
 

@@ -50,7 +50,7 @@ TEST_F(Run, AStopGivesTheBestSoFar) {
     EXPECT_LT(result.total.spheres, whole.total.spheres);
     EXPECT_EQ(warnings_of(result),
               std::vector<std::string>{
-                  ": the search was stopped: these are the best spheres so far; another run may give others"});
+                  ": the search was stopped: these are the best elements so far; another run may give others"});
     EXPECT_THAT(read_file(folder.path() / "out/manifest.json"), HasSubstr("\"cut\": \"stop\""));
     EXPECT_THAT(read_file(folder.path() / "whole/manifest.json"), ::testing::Not(HasSubstr("\"cut\"")));
     try {
@@ -121,7 +121,7 @@ TEST_F(Run, ATimeLimitThatIsOverLeavesTheFewestSpheres) {
             EXPECT_EQ(result.total.spheres, links.empty() ? 2u : 1u) << budget;
             EXPECT_THAT(warnings_of(result),
                         ::testing::Contains(": the search ended at its time limit of 1e-09 s: these are the best "
-                                            "spheres so far; another run may give others"));
+                                            "elements so far; another run may give others"));
         }
     }
     const auto result = run_in_time(recipe("stages: [spherize.grid]\nbudget: {spheres: 60, time_limit: 0.001}\n"),

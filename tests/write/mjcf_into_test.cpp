@@ -119,5 +119,80 @@ TEST_F(MjcfInto, RefusesAnotherFileAndAMissingBody) {
                          "rename the body, or leave the link out");
 }
 
+/// Every place of an MJCF file that names a geom.
+constexpr const char* naming = R"(<mujoco>
+  <worldbody>
+    <body name="first"><geom name="palm" size="0.1"/></body>
+    <body name="second"><geom name="foot" size="0.2"/><geom size="0.1"/><geom name="seen" size="1" contype="0" conaffinity="0"/>
+      <site name="s"/></body>
+  </worldbody>
+  <contact><pair geom1="seen" geom2="seen"/></contact>
+  {}
+</mujoco>
+)";
+
+std::string naming_by(const std::string& element) {
+    return with(naming, "{}", element);
+}
+
+TEST_F(MjcfInto, AnElementThatNamesAReplacedGeomIsRefused) {
+    const auto refusal = [](const std::string& names, const std::string& element) {
+        return "arm.xml:8: " + names + " names a geom that is replaced by others without names, so MuJoCo would refuse " +
+               "the file; remedy: remove <" + element + R"(>, or keep the geom by contype="0" conaffinity="0")";
+    };
+    model.into->text = naming_by(R"(<contact><pair geom1="seen" geom2="foot"/></contact>)");
+    EXPECT_EQ(refused(), refusal(R"(<pair geom2="foot">)", "pair"));
+    model.into->text = naming_by(R"(<contact><pair geom1="palm" geom2="seen"/></contact>)");
+    EXPECT_EQ(refused(), refusal(R"(<pair geom1="palm">)", "pair"));
+    model.into->text = naming_by(R"(<sensor><distance geom1="foot" body2="first"/></sensor>)");
+    EXPECT_EQ(refused(), refusal(R"(<distance geom1="foot">)", "distance")) << "one replaces two";
+    model.into->text = naming_by(R"(<sensor><framepos objtype="geom" objname="foot"/></sensor>)");
+    EXPECT_EQ(refused(), refusal(R"(<framepos objname="foot">)", "framepos"));
+    model.into->text =
+        naming_by(R"(<sensor><framepos objtype="site" objname="s" reftype="geom" refname="foot"/></sensor>)");
+    EXPECT_EQ(refused(), refusal(R"(<framepos refname="foot">)", "framepos"));
+    model.into->text =
+        naming_by(R"(<tendon><spatial><site site="s"/><geom geom="foot"/><site site="s"/></spatial></tendon>)");
+    EXPECT_EQ(refused(), refusal(R"(<geom geom="foot">)", "geom"));
+    model.into->text =
+        naming_by(R"(<custom><tuple name="t"><element objtype="geom" objname="foot"/></tuple></custom>)");
+    EXPECT_EQ(refused(), refusal(R"(<element objname="foot">)", "element"));
+}
+
+TEST_F(MjcfInto, TheOtherLinesThatNameReplacedGeomsAreListed) {
+    model.into->text = naming_by("<contact><pair geom1=\"foot\" geom2=\"palm\"/>\n<pair geom1=\"seen\" geom2=\"foot\"/>\n"
+                                 "<pair geom1=\"palm\" geom2=\"seen\"/></contact>");
+    EXPECT_EQ(refused(), R"(arm.xml:8: <pair geom1="foot"> names a geom that is replaced by others without names, so )"
+                         R"(MuJoCo would refuse the file (so do lines 9, 10); remedy: remove <pair>, or keep the geom )"
+                         R"(by contype="0" conaffinity="0")");
+}
+
+TEST_F(MjcfInto, OtherObjectsMayHaveTheNameOfAReplacedGeom) {
+    model.into->text = naming_by(R"(<sensor><framepos objtype="body" objname="foot"/><touch site="foot"/></sensor>)");
+    EXPECT_THAT(written(), HasSubstr(R"(<framepos objtype="body" objname="foot"/><touch site="foot"/>)"));
+}
+
+TEST_F(MjcfInto, OneThatReplacesOneKeepsItsName) {
+    model.into->text = with(theirs, R"(<geom size="0.1"/>)", R"(<geom name="foot" size="0.1"/>)");
+    model.into->text = with(model.into->text, "geom2=\"floor\"", "geom2=\"foot\"");
+    const std::string text = written();
+    EXPECT_THAT(text, HasSubstr(R"(<geom name="foot" type="sphere" group="3" contype="1" conaffinity="1" pos="0 0 0" size="0.25"/>)"));
+    EXPECT_THAT(text, HasSubstr(R"(<pair geom1="floor" geom2="foot"/>)"));
+    model.into->text = text;
+    EXPECT_EQ(written(), text) << "the second time nothing changes";
+}
+
+TEST_F(MjcfInto, IncludedFilesAreNotSearchedForTheNamesOfReplacedGeoms) {
+    class Warnings final : public QuietContext {
+    public:
+        void log(Severity, std::string_view message) override { all.emplace_back(message); }
+        std::vector<std::string> all;
+    } context;
+    model.into->text = naming_by(R"(<include file="sensors.xml"/>)");
+    writer("xml_models", "write.mjcf")->write(model, context);
+    EXPECT_THAT(context.all, testing::Contains("arm.xml:8: the file that is included may name geoms that are replaced by "
+                                               "others without names: foot, palm; remedy: remove what names them"));
+}
+
 } // namespace
 } // namespace foam::test

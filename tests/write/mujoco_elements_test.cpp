@@ -118,7 +118,9 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
         <geom type="capsule" fromto="0 0 0 1 2 -3" size="0.1"/> <geom type="cylinder" fromto="0 0 2 0 0 1" size="0.2"/>
         <geom type="box" size="1 2 3" axisangle="1 1 0 50"/> <geom type="box" size="1 2 3" xyaxes="0 2 0 -1 1 0"/>
         <geom type="cylinder" size="0.1 0.2" zaxis="1 1 1"/> <geom type="mesh" mesh="m" pos="0 0 1" quat="1 1 0 0"/>
-        <geom type="ellipsoid" size="1 2 3"/> <geom type="sphere" size="0.5"/> <geom type="capsule" size="1 1" contype="0" conaffinity="0"/>
+        <geom type="ellipsoid" size="1 2 3"/> <geom type="box" fromto="0 0 0 1 2 -3" size="0.1"/>
+        <geom type="box" fromto="1 0 1 1 0 2" size="0.3 7 8"/> <geom type="ellipsoid" fromto="0 1 0 1 2 3" size="0.2"/>
+        <geom type="sphere" size="0.5"/> <geom type="capsule" size="1 1" contype="0" conaffinity="0"/>
       </body></worldbody></mujoco>)";
     Registry registry;
     registry.load(FOAM_TEST_PLUGINS "/xml_models.so");
@@ -131,7 +133,7 @@ TEST(MujocoElements, ReadsGeomsOfOthersAsMujocoDoes) {
     ASSERT_TRUE(mujoco.model);
     const std::vector<Element> theirs = elements_of_body(*mujoco.model, "b");
     const std::span<const Element> ours = read.links[0].elements.shaped();
-    ASSERT_EQ(ours.size(), 9U);
+    ASSERT_EQ(ours.size(), 12U);
     for (std::size_t i = 0; i < ours.size(); ++i) {
         SCOPED_TRACE(i);
         ASSERT_EQ(ours[i].kind, theirs[i].kind);

@@ -226,6 +226,50 @@ TEST(MuJoCo, RefusesInertiasThatNoBodyHasSoTheyAreMended) {
     EXPECT_TRUE(context.warnings.empty());
 }
 
+/// A sphere on a link that moves, with the mass that its geometry has.
+SphereModel small_ball(double radius) {
+    SphereModel model = sphere_on_tip(two_links("base", ""));
+    model.groups = {{"tip", {}, flat_tree({{{0, 0, 0}, radius}}), {}}};
+    model.geometry["tip"] = Solid::make({{nullptr, Element::sphere(radius), Pose{}}});
+    return model;
+}
+
+TEST(MuJoCo, RefusesInertiasOfSmallBodiesSoTheyAreRaised) {
+    for (const double radius : {1e-4, 1e-6}) {
+        SCOPED_TRACE(radius);
+        WarningContext context;
+        const SphereModel model = small_ball(radius);
+        const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+        ASSERT_TRUE(mujoco.model);
+        const int tip = mj_name2id(mujoco.model, mjOBJ_BODY, "tip");
+        const double mass = mass_properties(*model.geometry.at("tip"), 1000)->mass;
+        EXPECT_DOUBLE_EQ(mujoco.model->body_mass[tip], std::max(mass, 2e-14));
+        EXPECT_DOUBLE_EQ(mujoco.model->body_inertia[3 * tip], 2e-14);
+        ASSERT_EQ(context.warnings.size(), 2U) << "and that the mass is of the geometry";
+        EXPECT_EQ(context.warnings[0],
+                  "MuJoCo refuses a mass below 1e-14 kg and a moment of inertia below 1e-14 kg m²; "
+                  "those of tip are raised to at least 2e-14; remedy: a robot in other units, such "
+                  "as millimetres");
+    }
+    WarningContext context;
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(small_ball(1e-3), context));
+    ASSERT_TRUE(mujoco.model);
+    EXPECT_EQ(context.warnings.size(), 1U) << "a millimetre is no small body";
+}
+
+TEST(MuJoCo, ASmallInertiaThatTheUrdfStatesIsThatOfABody) {
+    WarningContext context;
+    const SphereModel model = sphere_on_tip(two_links("base", inertial_of(1e-9, 2e-15, 3e-15, 4e-15)));
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    const int tip = mj_name2id(mujoco.model, mjOBJ_BODY, "tip");
+    EXPECT_EQ(mujoco.model->body_mass[tip], 1e-9) << "as stated";
+    EXPECT_NEAR(mujoco.model->body_inertia[3 * tip], 2.2e-14, 1e-20) << "all moments are raised alike";
+    EXPECT_NEAR(mujoco.model->body_inertia[3 * tip + 2], 2e-14, 1e-20);
+    ASSERT_EQ(context.warnings.size(), 1U);
+    EXPECT_EQ(context.warnings[0].find("MuJoCo refuses a mass below 1e-14 kg"), 0U);
+}
+
 TEST(MuJoCo, AnInertialThatCannotBeReadIsRefusedWhereItIsNeeded) {
     const auto refusal = [](const std::string& inertial) {
         QuietContext context;
@@ -254,6 +298,25 @@ TEST(MuJoCo, ALinkCalledWorldIsTheWorld) {
     model.groups.push_back({"world", {}, flat_tree({{{0, 0, 0}, 0.1}}), {}});
     EXPECT_THROW(writer("xml_models", "write.mjcf")->write(model, context), Error)
         << "the world's spheres are of a link";
+}
+
+TEST(MuJoCo, AGeomThatOneReplacesIsFoundByItsName) {
+    SphereModel model = sphere_on_tip(two_links("base", inertial_of(3, 2, 3, 4)));
+    model.into = TextFile{"arm.xml", R"(<mujoco><worldbody>
+      <body name="tip"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/><joint name="j"/>
+        <geom name="foot" size="0.2" pos="1 0 0"/><site name="s" pos="0 0 -1"/><site name="t" pos="0 0 1"/></body>
+      <geom name="floor" type="plane" size="1 1 .1"/></worldbody>
+      <contact><pair geom1="floor" geom2="foot"/></contact>
+      <sensor><framepos objtype="geom" objname="foot"/></sensor>
+      <tendon><spatial><site site="s"/><geom geom="foot"/><site site="t"/></spatial></tendon>
+      <custom><tuple name="one"><element objtype="geom" objname="foot"/></tuple></custom></mujoco>)"};
+    QuietContext context;
+    const Loaded mujoco(writer("xml_models", "write.mjcf")->write(model, context));
+    ASSERT_TRUE(mujoco.model);
+    const int foot = mj_name2id(mujoco.model, mjOBJ_GEOM, "foot");
+    ASSERT_GE(foot, 0);
+    EXPECT_EQ(mujoco.model->geom_size[3 * foot], 0.1);
+    EXPECT_EQ(mujoco.model->npair, 1);
 }
 
 TEST(MuJoCo, LockedAndMimickedJoints) {

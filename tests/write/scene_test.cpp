@@ -98,11 +98,26 @@ TEST(WriteMarkers, RefusesADiameterThatNoDoubleHolds) {
 TEST(ReadMarkers, LeavesOutWhatIsNoSphere) {
     const std::string rest = "header: {frame_id: a}, pose: {position: {x: 1, y: 2, z: 3}}, ";
     const SphereFile read =
-        markers.file("markers:\n- {type: 2, " + rest + "scale: {x: 1, y: 1, z: 1}}\n- {type: 2, " + rest +
+        markers.file("markers:\n- {type: 2, " + rest + "scale: {x: 1, y: 1, z: 1}}\n- {type: 3, " + rest +
                      "scale: {x: 1, y: 2, z: 1}}\n- {type: 7, " + rest + "scale: {x: 1, y: 1, z: 1}}\n");
     ASSERT_EQ(read.links.size(), 1U);
     EXPECT_EQ(read.links[0].elements.spheres(), (std::vector<Sphere>{{{1, 2, 3}, 0.5}}));
     EXPECT_EQ(read.notes, std::vector<std::string>{"2 markers are no single convex elements, and left out"});
+}
+
+TEST(ReadMarkers, ASphereOfThreeDiametersIsAnEllipsoid) {
+    const SphereFile read =
+        markers.file("markers:\n- {type: 2, header: {frame_id: a}, pose: {position: {x: 1, y: 2, z: 3}, orientation: "
+                     "{x: 0, y: 0, z: 1, w: 0}}, scale: {x: 1, y: 2, z: 4}}\n");
+    ASSERT_EQ(read.links.size(), 1U);
+    EXPECT_TRUE(read.links[0].elements.spheres().empty());
+    ASSERT_EQ(read.links[0].elements.shaped().size(), 1U);
+    const Element& element = read.links[0].elements.shaped()[0];
+    EXPECT_EQ(element.kind, Element::Kind::ellipsoid);
+    EXPECT_EQ(element.half, Vec3(0.5, 1, 2));
+    EXPECT_EQ(element.pose.translation, Vec3(1, 2, 3));
+    EXPECT_EQ(element.pose.rotation[0], Vec3(-1, 0, 0));
+    EXPECT_TRUE(is_valid(element));
 }
 
 TEST(ReadMarkers, LeavesOutTrianglesThatAreNoConvexSurface) {

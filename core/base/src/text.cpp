@@ -94,6 +94,12 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : noun.ends_with("sh") ? "es" : "s");
 }
 
+std::string with_article(std::string_view noun) {
+    constexpr std::string_view vowels = "aeiou";
+    const bool vowel = !noun.empty() && vowels.find(noun.front()) != vowels.npos;
+    return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
 std::string shown(std::string_view text) {
     return shown_but(text, "");
 }

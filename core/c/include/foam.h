@@ -53,8 +53,8 @@ enum {
 /* What foam_options.poll returns. */
 enum {
     FOAM_CONTINUE = 0,
-    FOAM_FINISH = 1, /* end the search; return the best spheres so far, which cover the mesh and are proved to */
-    FOAM_CANCEL = 2  /* end the call without spheres: FOAM_CANCELLED */
+    FOAM_FINISH = 1, /* end the search; return the best elements so far, which are proved to cover the region */
+    FOAM_CANCEL = 2  /* end the call without elements: FOAM_CANCELLED */
 };
 
 /* The most spheres that a call may ask for. */

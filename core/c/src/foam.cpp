@@ -329,6 +329,10 @@ template <class Handle> void require_place(Handle** place, const char* name) {
 }
 
 std::vector<foam::Sphere> balls_of(const double* points, const double* radii, std::size_t count) {
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+    if (count > most) {
+        throw usage(fmt::format("count is {}; remedy: at most {} points", count, most));
+    }
     if (!points && count > 0) {
         throw usage("points is NULL; remedy: an array of three numbers each");
     }

@@ -62,10 +62,10 @@ void require_workable(const SphereFile& result) {
         for (const Element& element : link.elements.shaped()) {
             if (!is_valid(element) || !(far_of(element) <= farthest_sphere)) {
                 throw Error(ErrorCode::input,
-                            fmt::format("{}: a {} of link '{}' has no volume, numbers that are not finite, a rotation "
+                            fmt::format("{}: {} of link '{}' has no volume, numbers that are not finite, a rotation "
                                         "that is none, or is farther away or larger than {} m, where figures and "
                                         "proofs have no meaning; remedy: correct the file",
-                                        result.file.string(), noun_of(element.kind, 1), shown(link.link),
+                                        result.file.string(), with_article(noun_of(element.kind, 1)), shown(link.link),
                                         farthest_sphere));
             }
         }

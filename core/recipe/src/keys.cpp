@@ -1,6 +1,8 @@
 #include <foam/recipe/internal/keys.hpp>
 
+#include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
 
@@ -228,7 +230,7 @@ static KeyOf<Recipe> price(const std::string& word, const std::string& of, doubl
 const std::vector<KeyOf<Recipe>>& cost_keys() {
     using Kind = Element::Kind;
     const auto of_kind = []<Kind kind>() {
-        return price(to_string(kind), fmt::format("a check of a {}", to_string(kind)),
+        return price(to_string(kind), "a check of " + with_article(noun_of(kind, 1)),
                      [](ElementCost& cost) -> double& { return cost.of_kind[static_cast<std::size_t>(kind)]; });
     };
     static const std::vector<KeyOf<Recipe>> keys = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
@@ -243,11 +245,9 @@ const std::vector<KeyOf<Recipe>>& budget_keys() {
     static const std::vector<KeyOf<Recipe>> keys{
         number_in_budget("spheres", "Maximum number of spheres of the whole robot.", false),
         number_in_budget("elements", "Maximum number of elements of any kind of the whole robot.", true),
-        held(Parameter::number("cost", 1)
-                 .bounds(0.01, 1e6)
-                 .unit("1")
-                 .doc("Maximum cost of checking all elements of the whole robot, by `costs`; prices of links are "
-                      "rounded up to hundredths."),
+        held(Parameter::number("cost", 1).bounds(0.01, 1e6).unit("1").doc(
+                 "Maximum cost of checking all elements of the whole robot, by `costs`; prices of links are "
+                 "rounded up to hundredths."),
              &Recipe::budget_cost),
         held(Parameter::number("excess", 0.5)
                  .bounds(1e-6, 1e6)
@@ -278,9 +278,8 @@ const std::vector<KeyOf<Recipe>>& budget_keys() {
         without_effect(Parameter::number("time_limit", 10)
                            .at_least(0.001)
                            .unit("s")
-                           .doc("Time from the start until the best spheres so far are written; another run may give "
-                                "other spheres. "
-                                "Absent: no limit."),
+                           .doc("Time from the start until the best elements so far are written; another run may give "
+                                "others. Absent: no limit."),
                        &Recipe::budget_time_limit),
     };
     return keys;

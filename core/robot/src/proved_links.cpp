@@ -96,8 +96,10 @@ std::string missing_text(const ProvedLinks& links) {
         return fmt::format("how much of the volume lies outside all {} was not measured", links.elements);
     }
     const double percent = 100 * links.missing;
-    return fmt::format("{} of the volume lies outside all {}",
-                       percent < 0.01 ? "less than 0.01 %" : fmt::format("{:.2g} %", percent), links.elements);
+    const std::string share = percent < 0.01    ? "less than 0.01 %"
+                              : percent >= 99.5 ? "100 %" // two digits of it are 1e+02
+                                                : fmt::format("{:.2g} %", percent);
+    return fmt::format("{} of the volume lies outside all {}", share, links.elements);
 }
 
 std::string verdict_of(const ProvedLinks& links) {

@@ -176,12 +176,13 @@ Element element_of(std::string_view kind, const ElementNumbers& numbers) {
     wanted.insert(wanted.begin(), "position");
     for (const auto& [name, values] : numbers) {
         if (std::erase(wanted, name) == 0 && name != "rotation") {
-            throw Error(ErrorCode::input, fmt::format("a {} has no '{}', or has it twice", kind, shown(name)));
+            throw Error(ErrorCode::input,
+                        fmt::format("{} has no '{}', or has it twice", with_article(kind), shown(name)));
         }
         take_numbers(element, name, values);
     }
     if (!wanted.empty()) {
-        throw Error(ErrorCode::input, fmt::format("a {} needs '{}'", kind, wanted.front()));
+        throw Error(ErrorCode::input, fmt::format("{} needs '{}'", with_article(kind), wanted.front()));
     }
     if (!is_valid(element)) {
         throw Error(ErrorCode::input, fmt::format("these are the numbers of no {}: all must be finite, lengths not "

@@ -1,5 +1,7 @@
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/kinds.hpp>
 #include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
@@ -135,9 +137,9 @@ std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
     for (const LinkSpheres& link : links) {
         if (!link.elements.are_spheres()) {
             throw Error(ErrorCode::output,
-                        fmt::format("link '{}' has a {}, and this format holds spheres only; remedy: a model of "
+                        fmt::format("link '{}' has {}, and this format holds spheres only; remedy: a model of "
                                     "spheres, or a format that holds this kind: write.urdf, write.mjcf, write.json",
-                                    link.link, to_string(link.elements.shaped().front().kind)));
+                                    link.link, with_article(noun_of(link.elements.shaped().front().kind, 1))));
         }
     }
     return links;

@@ -119,7 +119,7 @@ Saved save_model(const ViewedRobot& robot, const Original* original, const Regis
 Saved save_recipe(const ViewedRobot& robot, const Original* original, const SubjectOptions& options, Registry& registry,
                   const ModelState& state, const fs::path& target) {
     if (!original) {
-        throw Error(ErrorCode::usage, "a recipe needs the robot's original geometry; remedy: foam view ROBOT SPHERES");
+        throw Error(ErrorCode::usage, "a recipe needs the robot's original geometry; remedy: foam view ROBOT MODEL");
     }
     if (const std::vector<std::string> links = uncovered(robot, *original, state); !links.empty()) {
         throw Error(ErrorCode::usage,

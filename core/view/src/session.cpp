@@ -132,7 +132,7 @@ struct [[gnu::visibility("hidden")]] Session::Data {
         auto known = solid(edit.model, edit.link);
         if (!known) {
             refuse("the geometry of this link is not known, so nothing can be searched or proved; remedy: foam view "
-                   "ROBOT SPHERES, with the robot's original URDF");
+                   "ROBOT MODEL, with the robot's original URDF");
         }
         return known;
     }

@@ -182,7 +182,7 @@ private:
 
 Subject load_subject(const SubjectOptions& options, const Registry& registry) {
     if (options.files.empty()) {
-        throw Error(ErrorCode::usage, "there is nothing to show; remedy: foam view ROBOT, or foam view ROBOT SPHERES");
+        throw Error(ErrorCode::usage, "there is nothing to show; remedy: foam view ROBOT, or foam view ROBOT MODEL");
     }
     return SubjectLoader(options, registry).load();
 }

@@ -18,6 +18,7 @@ from .._threads import set_threads
 from ..errors import Error, UsageError
 from .experiment import Bench, Experiment
 from .folder import Folder, refuse_replacing
+from .modules import require
 from .plots import to_svg
 from .reading import read
 from .report import circumstances, page, to_csv
@@ -76,6 +77,7 @@ def bench(arguments: Sequence[str]) -> int:
     if given.check:
         tell(f"{file}: good")
         return 0
+    require("matplotlib")
     target = Path(given.run_dir or Path("benchmarks") / experiment.name)
     refuse_replacing(target, file, given.force)
     text, files = run(experiment, Folder(target), given.threads)

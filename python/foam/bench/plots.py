@@ -7,10 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import matplotlib  # type: ignore
-from matplotlib.figure import Figure  # type: ignore
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator  # type: ignore
-
 _GREY = "#808080"  # readable on light and on dark pages
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b8860b", "#56b4e9", "#8060c0"]  # apart for those who see few
 _MARKERS = "osD^v<>"
@@ -65,6 +61,8 @@ def _draw(axes: Any, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
 
 
 def _scale(axes: Any, plot: Plot, empty: bool) -> None:
+    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator  # type: ignore
+
     if empty:
         axes.set_xlim(1, 10)
         axes.set_ylim(1, 10)
@@ -89,6 +87,9 @@ def _scale(axes: Any, plot: Plot, empty: bool) -> None:
 def to_svg(plot: Plot) -> bytes:
     """Return a whole SVG file that needs no other. Equal plots give equal bytes. What a logarithm does not have is left
     out."""
+    import matplotlib  # type: ignore  # a check of an experiment needs none
+    from matplotlib.figure import Figure  # type: ignore
+
     panels = plot.panels or [Panel()]
     with matplotlib.rc_context({"svg.hashsalt": "foam", "svg.fonttype": "none", "text.parse_math": False}):
         figure = Figure(figsize=(max(7.0, 4.2 * len(panels)), 4.8), layout="constrained")

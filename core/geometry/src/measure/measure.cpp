@@ -19,10 +19,14 @@ double ratio(double volume, double of, double if_none) {
 
 } // namespace
 
+double missing_share(double missing_volume, double volume) {
+    return std::min(1.0, ratio(missing_volume, volume, 0));
+}
+
 void set_ratios(Measures& m) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     m.excess = ratio(m.excess_volume, m.volume, infinity);
-    m.missing = ratio(m.missing_volume, m.volume, 0);
+    m.missing = missing_share(m.missing_volume, m.volume);
     // The error of vol(S) is in both volumes of the ratio. For excess, vol(U) / vol(S) - 1 + missing, the errors add
     // up.
     const auto error = [&](double of_volume, double factor) {

@@ -140,7 +140,8 @@ const InsideLines* known_lines(const SolidData& data) {
 /// Computes the volume. The parts' own volumes with their closing surfaces are exact. Lines give the share of it that
 /// is wound around more than once: zero for parts that do not overlap, which then adds no error. The difference between
 /// the closing surfaces and the winding number is costly to compute but small, so it uses few lines (Giles 2015,
-/// "Multilevel Monte Carlo methods"). A solid with one part more has the same lines.
+/// "Multilevel Monte Carlo methods"). A solid with one part more has the same lines. A solid that is thinner than the
+/// accuracy of lengths has no volume: every share of it would be rounding.
 InsideLines::InsideLines(const SolidData& data)
     : box_(data.box), across_(data.closed() ? across_closed : across_open), rows_(3 * across_) {
     const InsideLines* const base = known_lines(data);
@@ -173,7 +174,9 @@ InsideLines::InsideLines(const SolidData& data)
         data, data.closed() ? traced(data, across_closed, "volume") : traced(data, across_overlaps, "overlaps"),
         overlap);
     const Estimate holes = data.closed() ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
-    volume_ = {std::max(0.0, exact - overlaps.value - holes.value), std::hypot(overlaps.error, holes.error)};
+    const double value = exact - overlaps.value - holes.value;
+    const double accuracy = noise * box_.diagonal() * data.area / 2; // each line enters and leaves
+    volume_ = {value > accuracy ? value : 0, std::hypot(overlaps.error, holes.error)};
 }
 
 double InsideLines::shortest() const {

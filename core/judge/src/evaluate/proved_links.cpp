@@ -36,7 +36,7 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
 }
 
 /// Returns the share of the volume of the proved links that lies outside their elements.
-double missing_share(const Original& original, const MatchedModel& model, const std::vector<bool>& proved) {
+double missing_in(const Original& original, const MatchedModel& model, const std::vector<bool>& proved) {
     double missing = 0, volume = 0;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         if (proved[i] && !model.elements[i].empty()) {
@@ -44,7 +44,7 @@ double missing_share(const Original& original, const MatchedModel& model, const 
             volume += original.links[i].solid->volume();
         }
     }
-    return volume > 0 ? missing / volume : 0;
+    return missing_share(missing, volume);
 }
 
 } // namespace
@@ -56,7 +56,7 @@ ProvedLinks proved_links(const Original& original, const MatchedModel& model, co
         proved.push_back(proof.holds);
     }
     ProvedLinks links = verdict_on(original, model, proved, guarantee);
-    links.missing = links.proved > 0 ? missing_share(original, model, proved) : 0;
+    links.missing = links.proved > 0 ? missing_in(original, model, proved) : 0;
     return links;
 }
 

@@ -220,7 +220,7 @@ void report_cut(const Workspace& workspace, Cut cut) {
     if (cut != Cut::none) {
         workspace.journal.finding(
             {Severity::warning, "", "",
-             fmt::format("{}: these are the best spheres so far; another run may give others",
+             fmt::format("{}: these are the best elements so far; another run may give others",
                          cut == Cut::stop
                              ? "the search was stopped"
                              : fmt::format("the search ended at its time limit of {} s", *workspace.time_limit()))});

@@ -1,6 +1,7 @@
 #include "allocate/exploration.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/text.hpp>
 #include <foam/runtime/internal/cover.hpp>
 
 #include <fmt/format.h>
@@ -76,12 +77,12 @@ void check_elements(const SphereTree::Level& level, const std::vector<Element::K
     }
     for (const Element& element : level.elements.shaped()) {
         if (std::find(kinds.begin(), kinds.end(), element.kind) == kinds.end()) {
-            broken(stage_kind,
-                   fmt::format("it returned a {}, which its StageInfo::kinds lacks", noun_of(element.kind, 1)));
+            broken(stage_kind, fmt::format("it returned {}, which its StageInfo::kinds lacks",
+                                           with_article(noun_of(element.kind, 1))));
         }
         if (!is_valid(element)) {
-            broken(stage_kind, fmt::format("a {} is not finite, has no volume or a rotation that is none",
-                                           noun_of(element.kind, 1)));
+            broken(stage_kind, fmt::format("{} is not finite, has no volume or a rotation that is none",
+                                           with_article(noun_of(element.kind, 1))));
         }
     }
 }
@@ -103,17 +104,16 @@ void check_reach(const SphereTree::Level& level, const Box& bounds, std::string_
     const Vec3 middle = bounds.center();
     const auto check = [&](const std::string& noun, double reach) {
         if (!(reach <= proportion * bounds.diagonal())) {
-            broken(stage_kind,
-                   fmt::format("a {} reaches more than a million times as far as the shape, which is {:g} m "
-                               "long",
-                               noun, bounds.diagonal()));
+            broken(stage_kind, fmt::format("{} reaches more than a million times as far as the shape, which is {:g} m "
+                                           "long",
+                                           noun, bounds.diagonal()));
         }
     };
     for (const Sphere& sphere : level.elements.spheres()) {
-        check("sphere", distance(sphere.center, middle) + sphere.radius);
+        check("a sphere", distance(sphere.center, middle) + sphere.radius);
     }
     for (const Element& element : level.elements.shaped()) {
-        check(noun_of(element.kind, 1), reach_from(middle, element));
+        check(with_article(noun_of(element.kind, 1)), reach_from(middle, element));
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/internal/files.hpp>
+#include <foam/base/text.hpp>
+#include <foam/sdk/kinds.hpp>
 
 #include <cmath>
 
@@ -19,8 +21,8 @@ void require_model(const SphereFile& model, const std::string& file) {
                     fmt::format("{}: it gives a sphere of link '{}' that is not finite", file, link.link));
         }
         for (const Element& element : link.elements.shaped()) {
-            require(is_valid(element), fmt::format("{}: it gives a {} of link '{}' that is no body", file,
-                                                   to_string(element.kind), link.link));
+            require(is_valid(element), fmt::format("{}: it gives {} of link '{}' that is no body", file,
+                                                   with_article(noun_of(element.kind, 1)), link.link));
         }
     }
 }

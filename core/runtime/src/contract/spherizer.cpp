@@ -2,6 +2,7 @@
 #include "promises.hpp"
 
 #include <foam/base/parallel.hpp>
+#include <foam/base/text.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/sdk/kinds.hpp>
@@ -42,13 +43,13 @@ void require_spheres(const Solid& solid, const std::vector<Sphere>& spheres) {
 void require_elements(const Solid& solid, std::span<const Element> elements, const StageInfo& info) {
     const double size = solid.bounds().diagonal();
     for (const Element& element : elements) {
-        const std::string noun = noun_of(element.kind, 1);
+        const std::string noun = with_article(noun_of(element.kind, 1));
         require(knows_all(info.kinds, {element.kind}),
-                fmt::format("it makes a {}, which StageInfo::kinds lacks; remedy: add Element::Kind::{}", noun,
+                fmt::format("it makes {}, which StageInfo::kinds lacks; remedy: add Element::Kind::{}", noun,
                             to_string(element.kind)));
-        require(is_valid(element), fmt::format("a {} is not finite, has no volume, or a rotation that is none", noun));
+        require(is_valid(element), fmt::format("{} is not finite, has no volume, or a rotation that is none", noun));
         const double own = bounds(element).diagonal();
-        require(own < 5 * size, fmt::format("a {} is {} m long, the whole solid {} m", noun, own, size));
+        require(own < 5 * size, fmt::format("{} is {} m long, the whole solid {} m", noun, own, size));
     }
 }
 

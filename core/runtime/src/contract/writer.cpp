@@ -1,6 +1,7 @@
 #include "promises.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/geometry/vector.hpp>
 #include <foam/sdk/kinds.hpp>
 
@@ -111,15 +112,15 @@ Vec3 inner_point(const Element& element) {
 
 /// Requires that the elements that were read contain the one that was written.
 void require_contained(const Element& written, const Elements& read) {
-    require(read.size() > 0, fmt::format("a {} is not read back", noun_of(written.kind, 1)));
+    require(read.size() > 0, fmt::format("{} is not read back", with_article(noun_of(written.kind, 1))));
     constexpr std::size_t directions = 200;
     constexpr double inwards = 1 - 1e-9; // orientations are read back to rounding
     const Vec3 middle = inner_point(written);
     for (const Vec3& direction : fibonacci_directions(directions)) {
         const Vec3 point = middle + (support(written, direction) - middle) * inwards;
         const bool held = std::any_of(read.begin(), read.end(), [&](const Element& e) { return holds(e, point); });
-        require(held, fmt::format("a {} comes back smaller or elsewhere; remedy: write all digits, or round outwards",
-                                  noun_of(written.kind, 1)));
+        require(held, fmt::format("{} comes back smaller or elsewhere; remedy: write all digits, or round outwards",
+                                  with_article(noun_of(written.kind, 1))));
     }
 }
 
@@ -167,7 +168,8 @@ void check_companions(const Writer& writer, const std::vector<std::string>& comp
 void check_writer(const Writer& writer, const StageInfo& info, Promises& promises) {
     for (const Element::Kind kind : info.kinds) {
         if (kind != Element::Kind::sphere) {
-            promises.check(fmt::format("gives back a {}", noun_of(kind, 1)), [&] { check_kind(writer, kind); });
+            promises.check(fmt::format("gives back {}", with_article(noun_of(kind, 1))),
+                           [&] { check_kind(writer, kind); });
         }
     }
     promises.check("gives back what it wrote, the same bytes every time", [&] {

@@ -16,6 +16,8 @@ std::string number_text(double value);
 std::optional<double> parse_number(std::string_view text);
 /// Returns a number with its noun: "1 pair", "2 pairs", "3 meshes". `noun`: in the singular, regular.
 std::string counted(std::size_t count, std::string_view noun);
+/// Returns a noun behind its article: "a box", "an ellipsoid".
+std::string with_article(std::string_view noun);
 /// Returns the text with the letters A to Z in lower case; other characters stay.
 std::string lower_case(std::string_view text);
 /// Returns the text with its percent escapes decoded (RFC 3986, section 2.1). Invalid escapes and %00 stay.

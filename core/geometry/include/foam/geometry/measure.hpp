@@ -62,6 +62,9 @@ Measures total(std::span<const Measures> links);
 double union_volume(const Elements& elements, std::size_t directions = 1'000);
 /// Returns vol(S \ U), m³, along the solid's lines.
 double missing_volume(const Solid& solid, const Elements& elements);
+/// Returns vol(S \ U) / vol(S), the figure `missing`: 0 if vol(S) = 0. It is at most 1, although both volumes may come
+/// from different lines.
+double missing_share(double missing_volume, double volume);
 /// Returns vol(U \ S), m³, along lines that are the same for all elements of a solid, so that results for one solid can be compared.
 double excess_volume(const Solid& solid, const Elements& elements);
 /// Returns excess_volume() and missing_volume(), in the time of the first alone.

@@ -54,7 +54,8 @@ public:
     /// Area of surface(), m².
     double area() const;
     /// Volume of the union, m³. It is exact for one closed part that does not overlap itself and for one primitive;
-    /// otherwise it is integrated along lines, with a relative error of about 1e-3.
+    /// otherwise it is integrated along lines, with a relative error of about 1e-3. It is 0 for a mesh thinner than the
+    /// accuracy of lines, a billionth of its size.
     double volume() const;
     /// Standard error of volume(), m³; 0 where the volume is exact. It includes differences between neighbouring lines,
     /// so it tends to be too large.

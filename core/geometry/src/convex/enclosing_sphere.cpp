@@ -1,3 +1,4 @@
+// The smallest ball around points, a small one around balls, and the level of one ball around a model.
 #include <foam/base/cancellation.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/sphere.hpp>
