@@ -122,7 +122,7 @@ int run_program(int count, char** arguments, const std::function<void(Program&)>
     }
 }
 
-/// Whatever is thrown is told.
+/// Whatever is thrown is reported.
 int guarded(int count, char** arguments, const std::function<void(Program&)>& add_commands) {
     try {
         return run_program(count, arguments, add_commands);

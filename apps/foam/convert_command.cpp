@@ -52,7 +52,7 @@ std::string text_of_file(const std::string& file) {
     return std::move(contents.bytes);
 }
 
-/// Adds the padding to all radii; tells the excess before and after.
+/// Adds the padding to all radii; prints the excess before and after.
 void pad(SphereFile& file, const std::string& text, const Original* original) {
     const double padding = length_of(text, "--pad");
     if (!(padding >= 0)) {

@@ -40,9 +40,9 @@ CoveredGeometry covered_geometry(const std::string& word);
 /// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options);
 
-/// The geometry, with what its loader warned of told on stderr.
+/// The geometry, its loader's warnings go to stderr.
 Original original_of(Program& program, const JudgeOptions& options);
-/// The spheres brought onto its links, with the notes told on stderr. `alone`: every rename must be of a link of it.
+/// The spheres brought onto its links, the notes go to stderr. `alone`: every rename must be of a link of it.
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
                       bool alone = true);
 /// Throws Error(usage) for a --rename whose OLD no link of the files has, or begins with.

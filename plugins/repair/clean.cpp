@@ -95,16 +95,16 @@ std::optional<Mesh> closed_manifold(const Mesh& given, Context& context) {
     if (nesting.hollow || !(signed_volume(mesh) > 0) || !topology(mesh).closed_manifold()) {
         return std::nullopt;
     }
-    const auto said = [&](std::size_t count, const char* what) {
+    const auto report = [&](std::size_t count, const char* what) {
         if (count > 0) {
             context.log(Severity::info, fmt::format("{} {}", count, what));
         }
     };
-    said(static_cast<std::size_t>(std::count(mixed.begin(), mixed.end(), 1)),
+    report(static_cast<std::size_t>(std::count(mixed.begin(), mixed.end(), 1)),
          "closed parts had triangles facing either way: made to agree");
-    said(nesting.turned, "closed parts faced the wrong way: turned");
-    said(nesting.cavities, "closed parts face inwards inside of another: kept as cavities");
-    said(added, "vertices added where parts touch in a point");
+    report(nesting.turned, "closed parts faced the wrong way: turned");
+    report(nesting.cavities, "closed parts face inwards inside of another: kept as cavities");
+    report(added, "vertices added where parts touch in a point");
     return mesh;
 }
 

@@ -21,12 +21,12 @@ public:
 
     Mesh apply(const Mesh& mesh, Context& context) const override {
         const Cleaned cleaned = clean(mesh, context);
-        if (std::optional<Mesh> result = mended(cleaned, options_, context)) {
+        if (std::optional<Mesh> result = repaired(cleaned, options_, context)) {
             return std::move(*result);
         }
         const Topology defects = topology(cleaned.distinct);
         throw Error(ErrorCode::geometry,
-                    fmt::format("the mesh is too broken to be mended in place ({}); remedy: repair.auto or "
+                    fmt::format("the mesh is too broken to be repaired in place ({}); remedy: repair.auto or "
                                 "repair.watertight, which rebuild the surface",
                                 defects.closed_manifold()
                                     ? "closed, but too thin for its volume to be told from rounding"
@@ -82,7 +82,7 @@ public:
 
     Mesh apply(const Mesh& mesh, Context& context) const override {
         const Cleaned cleaned = clean(mesh, context);
-        if (std::optional<Mesh> result = mended(cleaned, soup_, context)) {
+        if (std::optional<Mesh> result = repaired(cleaned, soup_, context)) {
             context.log(Severity::debug, "taken: repair.soup, the lightest repair whose result is a solid");
             return std::move(*result);
         }

@@ -55,7 +55,7 @@ std::optional<Mesh> sound(const Cleaned& cleaned, const SoupOptions& options, Co
     return tried_as_sound(cleaned, options, sewn, context);
 }
 
-std::optional<Mesh> mended(const Cleaned& cleaned, const SoupOptions& options, Context& context) {
+std::optional<Mesh> repaired(const Cleaned& cleaned, const SoupOptions& options, Context& context) {
     Mesh mesh;
     if (std::optional<Mesh> closed = tried_as_sound(cleaned, options, mesh, context)) {
         return closed;

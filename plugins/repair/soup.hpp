@@ -127,6 +127,6 @@ std::optional<Mesh> sound(const Cleaned& cleaned, const SoupOptions& options, Co
 /// Returns the triangles as a closed, oriented 2-manifold of positive volume: seams sewn, T-junctions joined, patches
 /// turned outwards by the winding number, walls between bodies removed, holes filled, touching bodies separated.
 /// Nothing if that is not enough. Reports the repairs through the context.
-std::optional<Mesh> mended(const Cleaned& cleaned, const SoupOptions& options, Context& context);
+std::optional<Mesh> repaired(const Cleaned& cleaned, const SoupOptions& options, Context& context);
 
 } // namespace foam::repair

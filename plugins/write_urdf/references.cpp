@@ -105,7 +105,7 @@ std::string package_uri(const fs::path& target) {
     return {};
 }
 
-/// References of which the same is said: their number and the first.
+/// References with one finding in common: their number and the first.
 class Counted {
 public:
     void add(const std::string& path) { first_ = count_++ == 0 ? path : first_; }

@@ -22,7 +22,7 @@ namespace foam {
 /// The words for what plain URDF lacks.
 struct UrdfWords {
     std::string capsule = "capsule"; ///< of URDF 1.1; Drake: "drake:capsule"
-    bool declares_convex = false;    ///< Drake: meshes are said to be convex
+    bool declares_convex = false;    ///< Drake: meshes are declared convex
     std::string properties{};        ///< elements that each <collision> gets besides
 };
 
@@ -52,7 +52,7 @@ struct Reference {
 std::vector<Reference> references_of(std::string_view text, const xml::Element& robot,
                                      const std::set<std::string>& replaced);
 
-/// What becomes of references in another file, and what is to be said of them.
+/// What becomes of references in another file, and what is reported of them.
 struct MovedReferences {
     std::vector<Reference> moved; ///< with their new paths
     std::vector<std::pair<Severity, std::string>> messages;

@@ -294,7 +294,7 @@ private:
             add_inertial(link, *stated, depth);
         } else if (stated && stated->mass > 0) {
             impossible_.push_back(link);
-            add_inertial(link, mended(link, *stated), depth);
+            add_inertial(link, repaired(link, *stated), depth);
         } else if (stated && !moves) {
             return; // a body of the world needs no mass
         } else if (const auto other = invented(link)) {
@@ -318,7 +318,7 @@ private:
 
     /// Returns the stated mass with the centre and inertia of the link's geometry; of a ball of water with that mass if
     /// the link has none.
-    MassProperties mended(const std::string& link, const MassProperties& stated) {
+    MassProperties repaired(const std::string& link, const MassProperties& stated) {
         MassProperties result;
         if (const auto other = invented(link)) {
             result = other->mass;

@@ -25,10 +25,10 @@ class Warnings final : public QuietContext {
 public:
     void log(Severity severity, std::string_view message) override {
         if (severity >= Severity::warning) {
-            said.emplace_back(message);
+            messages.emplace_back(message);
         }
     }
-    std::vector<std::string> said;
+    std::vector<std::string> messages;
 };
 
 KindCounts kinds_of_model(const SphereModel& model) {
@@ -117,7 +117,7 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
     for (const WrittenFile& one : files) {
         list.append(py::make_tuple(one.file, py::bytes(one.bytes)));
     }
-    return py::make_tuple(list, warnings.said);
+    return py::make_tuple(list, warnings.messages);
 }
 
 RobotFacts facts_of(const std::string& base_link, const std::vector<std::string>& tool_frames,

@@ -1,4 +1,4 @@
-// repair.soup and repair.auto: mended in place where that is enough, rebuilt where it is not.
+// repair.soup and repair.auto: repaired in place where that is enough, rebuilt where it is not.
 #include "filters.hpp"
 
 #include <foam/geometry/mesh_checks.hpp>
@@ -64,7 +64,7 @@ TEST(Soup, FillsFlatHolesOfAnySizeAndOthersUpToALimit) {
     EXPECT_NEAR(full, std::numbers::pi * 0.01 * 0.3, 0.01 * std::numbers::pi * 0.01 * 0.3);
     const Mesh bitten = without(ball({}, 0.1), 100, 12); // a hole that is not flat
     EXPECT_THAT(refusal("repair.soup", bitten, {{"largest_hole", 0.01}}),
-                HasSubstr("too broken to be mended in place"));
+                HasSubstr("too broken to be repaired in place"));
     const double whole = signed_volume(ball({}, 0.1));
     EXPECT_NEAR(signed_volume(outcome("repair.soup", bitten, {{"largest_hole", 1.0}}).mesh), whole, 0.02 * whole);
 }

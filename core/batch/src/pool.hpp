@@ -63,7 +63,7 @@ private:
         Descriptor errors;
         std::unique_ptr<ChildProcess> process;
         std::optional<Job> job;
-        bool ready = false; ///< it has told so
+        bool ready = false; ///< it has reported so
         Clock::time_point since;
         std::string received;
     };

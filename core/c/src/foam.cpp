@@ -276,7 +276,7 @@ void tell(foam_report& report, std::string_view text) noexcept {
 }
 
 /// Describes the exception that is being handled.
-int told(foam_report& report) noexcept {
+int reported(foam_report& report) noexcept {
     try {
         throw;
     } catch (const Error& error) {
@@ -317,7 +317,7 @@ template <class Body> int reported(foam_report* report, Body body) noexcept {
         body();
         return FOAM_OK;
     } catch (...) {
-        return told(*report);
+        return reported(*report);
     }
 }
 

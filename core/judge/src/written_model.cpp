@@ -311,7 +311,7 @@ JudgedFiles judged_files(const Writer& writer, const StageInfo& info, SphereMode
     if (statement_of(verdict) != statement) {
         give_verdict(model, std::move(verdict), origin);
         statement = statement_of(model.verdict);
-        QuietContext quiet; // what the writer warns of is said
+        QuietContext quiet; // what the writer warns of is reported
         files = written_files(writer, info, model, target, quiet);
     }
     return {std::move(files), std::move(statement)};

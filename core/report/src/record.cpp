@@ -77,7 +77,7 @@ std::vector<std::pair<std::string, StageTime>> stage_times(const Json& execution
     return times;
 }
 
-bool told(const Json& finding, bool warnings) {
+bool is_reported(const Json& finding, bool warnings) {
     const bool warning = finding["severity"] == "warning" || finding["severity"] == "error";
     return warnings ? warning : !warning && finding["severity"] != "debug";
 }
@@ -85,7 +85,7 @@ bool told(const Json& finding, bool warnings) {
 std::string findings_list(const Json& findings, bool warnings, std::size_t& count) {
     std::string rows;
     for (const Json& finding : findings) {
-        if (told(finding, warnings)) {
+        if (is_reported(finding, warnings)) {
             ++count;
             rows +=
                 fmt::format("<tr><td class=\"{0}\">{0}</td><td>{1}</td><td>{2}</td><td class=\"why\">{3}</td></tr>\n",

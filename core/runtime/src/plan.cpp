@@ -162,10 +162,10 @@ std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Registry& regi
 }
 
 void add_unknown_names(RecipeResult& read, const Registry& registry) {
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const Recipe& recipe : read.recipes) {
         for (Diagnostic& finding : unknown_names(recipe, registry)) {
-            if (told.insert(finding.text()).second) {
+            if (reported.insert(finding.text()).second) {
                 read.diagnostics.push_back(std::move(finding));
             }
         }

@@ -72,7 +72,7 @@ constexpr std::size_t model_of(std::uint64_t step) {
 /// Where the program of an engine is, built or not.
 std::filesystem::path engine_program(const EngineName& engine);
 
-/// Asks everything, in child processes: one that aborts is told, and the next one goes on behind the step that it
+/// Asks everything, in child processes: one that aborts is reported, and the next one goes on behind the step that it
 /// aborted at. `program`: empty: that of the engine. Throws Error(internal) if no process can be started,
 /// Error(cancelled).
 EngineReport ask_engine(EngineProblem problem, const std::function<bool()>& cancelled = {},

@@ -84,7 +84,7 @@ Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& 
     result.robot = std::make_shared<const Robot>(with_covered_geometry(*loaded->robot, options.geometry));
     const RunOptions run;
     Journal journal(nullptr);
-    journal.repeat(loaded->said, "", loaded->report.stage);
+    journal.repeat(loaded->log, "", loaded->report.stage);
     LoadedLinks links = load_links(
         {registry, run, journal}, {}, *result.robot, [&](const Link& link) { return is_chosen(link, options.links); },
         loaded->meshes);

@@ -23,7 +23,7 @@ std::optional<Sphere> as_sphere(const Solid& solid) {
 
 /// Runs the spherizer. Returns one checked tree for each budget.
 std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work, const std::vector<Budget>& budgets,
-                                      StageLog& said) {
+                                      StageLog& log) {
     return run_stage(
         workspace, work.spherizer.stage, work.link, work.input, work.content, work.report, [&](StageContext& context) {
             std::vector<SphereTree> made =
@@ -36,7 +36,7 @@ std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& wor
             for (std::size_t i = 0; i < made.size(); ++i) {
                 check_tree(made[i], budgets[i], work.kinds, work.shape->original().bounds(), "spherizer");
             }
-            said = context.said();
+            log = context.kept_log();
             return made;
         });
 }
@@ -69,14 +69,14 @@ std::string call_name(const std::vector<Digest>& keys) {
 /// the same call remain.
 void add_words(const Workspace& workspace, ShapeWork& work, const std::map<std::size_t, Cached<SphereTree>>& known) {
     for (const auto& [count, entry] : known) {
-        const StageLog& said = entry.said;
-        if (said.call.empty()) {
+        const StageLog& log = entry.log;
+        if (log.call.empty()) {
             continue; // no spherizer was called
         }
-        if (work.calls.insert(said.call).second) {
-            workspace.journal.repeat(said, work.link, work.spherizer.stage);
+        if (work.calls.insert(log.call).second) {
+            workspace.journal.repeat(log, work.link, work.spherizer.stage);
         }
-        work.report.metrics = said.metrics;
+        work.report.metrics = log.metrics;
     }
 }
 
@@ -125,10 +125,10 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     }
     work.report.cached = missing.empty() && (work.report.cached || work.report.seconds == 0);
     if (!missing.empty()) {
-        StageLog said;
-        std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, said);
-        said.call = call_name(keys);
-        work.calls.insert(said.call); // its findings are in the journal
+        StageLog log;
+        std::vector<SphereTree> trees = run_spherizer(workspace, work, budgets, log);
+        log.call = call_name(keys);
+        work.calls.insert(log.call); // its findings are in the journal
         parallel_for(trees.size(), [&](std::size_t i) {
             const std::size_t most = budgets[i].max_spheres.value_or(trees[i].elements().size());
             trees[i] = refined(workspace, work, std::move(trees[i]), most, Refiners::not_adding);
@@ -136,9 +136,9 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
         const bool whole = !workspace.ended(); // else a stage may have returned early
         for (std::size_t i = 0; i < trees.size(); ++i) {
             if (whole) {
-                workspace.cache.put(keys[i], trees[i], said);
+                workspace.cache.put(keys[i], trees[i], log);
             }
-            known[missing[i]] = {std::move(trees[i]), said};
+            known[missing[i]] = {std::move(trees[i]), log};
         }
     }
     add_words(workspace, work, known);

@@ -1,4 +1,4 @@
-// What finishes the result of the search, and what is said of it.
+// What finishes the result of the search, and what is reported of it.
 #pragma once
 
 #include <foam/geometry/solid.hpp>

@@ -24,11 +24,11 @@ ResourceResolver resolver_of(const Recipe& recipe) {
     return ResourceResolver::from_environment().preceded_by(std::move(folders));
 }
 
-/// Takes an input that was read before; what its loader said is said again.
+/// Takes an input that was read before; the log of its loader is repeated.
 LoadedInput taken(const Workspace& workspace, LoadedInput input) {
     if (!input.report.stage.empty()) {
         input.report.seconds = 0;
-        workspace.journal.repeat(input.said, "", input.report.stage);
+        workspace.journal.repeat(input.log, "", input.report.stage);
         workspace.journal.finished("", input.report);
     }
     return input;

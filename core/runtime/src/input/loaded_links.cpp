@@ -98,7 +98,7 @@ void load(const Calls& calls, const Reading& reading, const std::string& link, L
                               Mesh mesh = call_loader(calls, reading.call(loader->info.name), path, context);
                               check_triangles(mesh, "loader");
                               scale(mesh, task.reference.scale);
-                              task.said = context.said();
+                              task.log = context.kept_log();
                               return std::make_shared<const Mesh>(std::move(mesh));
                           });
     for (const Vec3& vertex : task.mesh->vertices) {
@@ -110,14 +110,14 @@ void load(const Calls& calls, const Reading& reading, const std::string& link, L
     task.report.output = digest_of_content(*task.mesh);
 }
 
-/// Takes a mesh that was read before; what its loader said is said again.
+/// Takes a mesh that was read before; the log of its loader is repeated.
 void take(const Calls& calls, const std::string& link, LoadTask& task, const LoadedMesh& known) {
     const MeshReference reference = task.reference;
     static_cast<LoadedMesh&>(task) = known;
     task.reference = reference;
     task.file.reference = task.report.input = reference.uri;
     task.report.seconds = 0;
-    calls.journal.repeat(task.said, link, task.report.stage);
+    calls.journal.repeat(task.log, link, task.report.stage);
     calls.journal.finished(link, task.report);
 }
 

@@ -24,19 +24,19 @@ void filter(const Workspace& workspace, const std::vector<LinkWork>& links, Filt
         if (auto cached = workspace.cache.mesh(key)) {
             report.stage = call.stage;
             report.cached = true;
-            report.metrics = cached->said.metrics;
-            workspace.journal.repeat(cached->said, link, call.stage);
+            report.metrics = cached->log.metrics;
+            workspace.journal.repeat(cached->log, link, call.stage);
             workspace.journal.finished(link, report);
             mesh = std::make_shared<const Mesh>(std::move(cached->result));
         } else {
-            StageLog said;
+            StageLog log;
             mesh = run_stage(workspace, call.stage, link, input, content, report, [&](StageContext& context) {
                 Mesh result = call_filter(workspace, call, *mesh, context);
                 check_triangles(result, "filter");
-                said = context.said();
+                log = context.kept_log();
                 return std::make_shared<const Mesh>(std::move(result));
             });
-            workspace.cache.put(key, *mesh, said);
+            workspace.cache.put(key, *mesh, log);
         }
         report.output = digest_of_content(*mesh);
         task.results.push_back(mesh);

@@ -81,7 +81,7 @@ void read_robot(const Calls& calls, const Reading& reading, LoadedInput& input) 
         run_stage(calls, loader, "", name.string(), input.digest, input.report, [&](StageContext& context) {
             const auto stage = calls.registry.make<RobotLoader>(loader, reading.call(loader).given);
             Robot robot = stage->load(text, name, reading.resources, context);
-            input.said = context.said();
+            input.log = context.kept_log();
             return robot;
         }));
 }

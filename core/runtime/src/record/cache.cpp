@@ -95,14 +95,14 @@ std::optional<Cached<Mesh>> Cache::mesh(const Digest& key) const {
     ByteReader in(*payload);
     Cached<Mesh> entry;
     entry.result = take_mesh(in);
-    entry.said = take_log(in);
+    entry.log = take_log(in);
     return in.good() && in.at_end() ? std::optional(std::move(entry)) : std::nullopt;
 }
 
-void Cache::put(const Digest& key, const Mesh& mesh, const StageLog& said) const {
+void Cache::put(const Digest& key, const Mesh& mesh, const StageLog& log) const {
     std::string payload;
     put_mesh(payload, mesh);
-    put_log(payload, said);
+    put_log(payload, log);
     store(key, std::move(payload));
 }
 
@@ -114,15 +114,15 @@ std::optional<Cached<SphereTree>> Cache::tree(const Digest& key) const {
     ByteReader in(*payload);
     Cached<SphereTree> entry;
     entry.result = take_tree(in);
-    entry.said = take_log(in);
+    entry.log = take_log(in);
     const bool whole = in.good() && in.at_end() && !entry.result.levels.empty();
     return whole ? std::optional(std::move(entry)) : std::nullopt;
 }
 
-void Cache::put(const Digest& key, const SphereTree& tree, const StageLog& said) const {
+void Cache::put(const Digest& key, const SphereTree& tree, const StageLog& log) const {
     std::string payload;
     put_tree(payload, tree);
-    put_log(payload, said);
+    put_log(payload, log);
     store(key, std::move(payload));
 }
 

@@ -242,8 +242,8 @@ void Journal::finding(Finding finding) {
 }
 
 void Journal::repeat(const StageLog& log, const std::string& link, const std::string& stage) {
-    for (const Finding& said : log.findings) {
-        finding({said.severity, link, stage, said.message});
+    for (const Finding& kept : log.findings) {
+        finding({kept.severity, link, stage, kept.message});
     }
 }
 
@@ -293,7 +293,7 @@ void StageContext::metric(std::string_view name, double value, std::string_view 
     metrics_[std::string(name)] = {std::string(name), value, std::string(unit)};
 }
 
-StageLog StageContext::said() const {
+StageLog StageContext::kept_log() const {
     const std::lock_guard lock(mutex_);
     StageLog log;
     log.findings = findings_;

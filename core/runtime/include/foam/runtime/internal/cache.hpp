@@ -24,7 +24,7 @@ void add_call(Hasher& hasher, const StageCall& call, const Registry& registry);
 
 template <class T> struct Cached {
     T result;
-    StageLog said; ///< the log of the call that made it; of findings severity and message
+    StageLog log; ///< the log of the call that made it; of findings severity and message
 };
 
 class Cache {
@@ -36,8 +36,8 @@ public:
     std::optional<Cached<Mesh>> mesh(const Digest& key) const;
     std::optional<Cached<SphereTree>> tree(const Digest& key) const;
     /// Stores the mesh. Failures to write are not errors: the entry is then missing next time.
-    void put(const Digest& key, const Mesh& mesh, const StageLog& said) const;
-    void put(const Digest& key, const SphereTree& tree, const StageLog& said) const;
+    void put(const Digest& key, const Mesh& mesh, const StageLog& log) const;
+    void put(const Digest& key, const SphereTree& tree, const StageLog& log) const;
 
     /// Calls trim_cache() if something was stored. `bytes` 0: no limit.
     void keep_within(std::uintmax_t bytes) const;

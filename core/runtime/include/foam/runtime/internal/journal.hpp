@@ -96,7 +96,7 @@ public:
     void progress(double fraction) override;
     void log(Severity severity, std::string_view message) override;
     void metric(std::string_view name, double value, std::string_view unit) override;
-    StageLog said() const;
+    StageLog kept_log() const;
 
 private:
     Journal& journal_;

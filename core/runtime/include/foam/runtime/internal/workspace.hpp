@@ -93,7 +93,7 @@ auto run_stage(const Calls& calls, const std::string& stage, const std::string& 
     const auto close = [&] {
         report.stage = stage;
         report.seconds += calls.journal.seconds() - begin;
-        report.metrics = context.said().metrics;
+        report.metrics = context.kept_log().metrics;
         calls.journal.finished(link, report);
     };
     try {

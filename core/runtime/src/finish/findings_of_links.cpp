@@ -1,4 +1,4 @@
-// What is said of finished links: those that are hollow, that hang loose, or that their visual geometry leaves.
+// What is reported of finished links: those that are hollow, that hang loose, or that their visual geometry leaves.
 #include "finish/finish.hpp"
 
 #include <foam/base/text.hpp>
