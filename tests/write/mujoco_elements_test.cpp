@@ -1,5 +1,6 @@
 // MuJoCo on elements of write.mjcf: kinds, sizes, poses, and that nothing of an element lies outside the geom.
 #include "elements.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +13,8 @@ namespace {
 
 struct Loaded {
     explicit Loaded(const std::string& text) {
-        const std::string file = testing::TempDir() + "foam_mujoco_elements_test.xml";
+        const TemporaryFolder folder; // cases run at once
+        const std::string file = (folder.path() / "model.xml").string();
         std::ofstream(file) << text;
         char error[1000] = "";
         model = mj_loadXML(file.c_str(), nullptr, error, sizeof error);

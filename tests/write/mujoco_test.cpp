@@ -1,5 +1,6 @@
 // MuJoCo's own parser on what write.mjcf writes: bodies, spheres to the last bit, poses, pairs without contact.
 #include "models.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <foam/base/file.hpp>
 #include <foam/base/random.hpp>
@@ -21,7 +22,8 @@ using namespace foam::test;
 
 struct Loaded {
     explicit Loaded(const std::string& text) {
-        const std::string file = testing::TempDir() + "foam_mujoco_test.xml";
+        const TemporaryFolder folder; // cases run at once
+        const std::string file = (folder.path() / "model.xml").string();
         std::ofstream(file) << text;
         char error[1000] = "";
         model = mj_loadXML(file.c_str(), nullptr, error, sizeof error);
