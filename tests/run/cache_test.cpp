@@ -30,14 +30,14 @@ TEST(Cache, GivesBackWhatWasPut) {
     const auto entry = cache.tree(key);
     ASSERT_TRUE(entry);
     EXPECT_EQ(entry->result, some_tree());
-    EXPECT_EQ(entry->said.call, "a call");
-    ASSERT_EQ(entry->said.findings.size(), 1u);
-    EXPECT_EQ(entry->said.findings[0].severity, Severity::warning);
-    EXPECT_EQ(entry->said.findings[0].message, "mind the gap");
-    ASSERT_EQ(entry->said.metrics.size(), 1u);
-    EXPECT_EQ(entry->said.metrics[0].name, "moves");
-    EXPECT_EQ(entry->said.metrics[0].value, 3);
-    EXPECT_EQ(entry->said.metrics[0].unit, "1");
+    EXPECT_EQ(entry->log.call, "a call");
+    ASSERT_EQ(entry->log.findings.size(), 1u);
+    EXPECT_EQ(entry->log.findings[0].severity, Severity::warning);
+    EXPECT_EQ(entry->log.findings[0].message, "mind the gap");
+    ASSERT_EQ(entry->log.metrics.size(), 1u);
+    EXPECT_EQ(entry->log.metrics[0].name, "moves");
+    EXPECT_EQ(entry->log.metrics[0].value, 3);
+    EXPECT_EQ(entry->log.metrics[0].unit, "1");
 
     const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const Digest other = digest_of("another key");
