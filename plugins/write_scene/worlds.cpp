@@ -4,6 +4,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/vector.hpp>
+#include <foam/sdk/kinds.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
@@ -237,9 +238,9 @@ std::string vamp_world_text(const SphereModel& model) {
         const std::string name = name_of(link, number++);
         const bool is_box = element.kind == Element::Kind::box;
         if (!is_box && element.kind != Element::Kind::capsule && element.kind != Element::Kind::cylinder) {
-            throw Error(ErrorCode::output, fmt::format("write.vamp_world: VAMP's problems hold spheres, capsules and "
-                                                       "boxes, but no {}; remedy: other kinds of elements",
-                                                       to_string(element.kind)));
+            throw Error(ErrorCode::output, fmt::format("write.vamp_world: VAMP's problems hold spheres, capsules, "
+                                                       "cylinders and boxes, but no {}; remedy: other kinds of elements",
+                                                       noun_of(element.kind, 2)));
         }
         // Roll, pitch and yaw, as in a URDF.
         const Vec3 rpy = short_roll_pitch_yaw(element.pose);
