@@ -55,7 +55,7 @@ BELONG = {
     "geometry/src/convex/hull.cpp": ENLARGED + ELEMENTS,
     "geometry/src/convex/swept_box.cpp": ENLARGED + ELEMENTS,
     "geometry/src/convex/cylinder.cpp": ENLARGED + ELEMENTS,
-    "geometry/src/convex/ellipsoid.cpp": ENLARGED + ELEMENTS,
+    "geometry/src/convex/ellipsoid.cpp": ["geometry/ellipsoid_test"] + ENLARGED + ELEMENTS,
     "geometry/src/mesh/surface_runs.cpp": ["geometry/surface_runs_test", "geometry/balls_test"],
     "geometry/src/mesh/needle_index.cpp": ["geometry/needle_index_test", "geometry/needle_solid_test"],
     "geometry/src/hull/convex_hull.cpp": ["geometry/convex_hull_test", "geometry/hull_planes_test", "geometry/element_test"],
