@@ -232,7 +232,9 @@ TEST_P(EachKind, WhatIsProvedHoldsAllPointsAndALittleLessDoesNot) {
         if (run % 2 == 1) {
             start.push_back(small_element(GetParam(), middle + Vec3{0.3, 0, 0} * size, 0.2 * size, random));
         }
-        const bool tight = start.size() == 1 && (GetParam() != Kind::hull || run % 5 < 2 || run % 5 == 3);
+        // An ellipsoid grows point by point, to more than the least.
+        const bool tight = start.size() == 1 && GetParam() != Kind::ellipsoid &&
+                           (GetParam() != Kind::hull || run % 5 < 2 || run % 5 == 3);
         if (tight && GetParam() == Kind::hull) { // hulls grow by faces, not by the least volume
             start[0].hull = convex_hull(mesh.vertices);
             start[0].pose = {};
