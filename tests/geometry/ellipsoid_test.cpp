@@ -146,6 +146,39 @@ TEST(Ellipsoid, GrownItHoldsAllWithinTheLength) {
     }
 }
 
+/// The least ellipsoid about the same centre that holds an ellipsoid and a point is longer towards the point, in units in which
+/// the first is a ball, and no wider.
+TEST(Ellipsoid, GrowsTowardsAPointByTheLeast) {
+    Random random(6);
+    for (int round = 0; round < 300; ++round) {
+        Element e = some_ellipsoid(random);
+        const bool slender = round % 3 == 0;
+        e.half.x *= slender ? 1e-4 : 1;
+        const Vec3 n = test::random_direction(random);
+        const double length = random.uniform(1.1, 3);
+        const Vec3 point = e.pose * (Vec3{n.x * e.half.x, n.y * e.half.y, n.z * e.half.z} * length);
+        const Mesh speck{{point, point, point}, {{0, 1, 2}}};
+        const Element larger = grown_to_cover(*Solid::make(speck), Elements(std::vector{e}))[0];
+        EXPECT_LE(reach(larger, point), 1);
+        EXPECT_NEAR(volume(larger) / volume(e), length, slender ? 1e-5 : 1e-8);
+        for (int k = 0; k < 50; ++k) {
+            EXPECT_LE(reach(larger, support(e, test::random_direction(random))), 1) << round;
+        }
+    }
+}
+
+TEST(Ellipsoid, ItsExposedAreaIsThatOfItsSurface) {
+    const Element e = Element::ellipsoid({0.3, 0.2, 0.1});
+    const Mesh mesh = enclosing_mesh(e, 400);
+    double area = 0;
+    for (const auto& [i, j, k] : mesh.triangles) {
+        const Vec3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
+        area += norm(cross(b - a, c - a)) / 2;
+    }
+    const auto inside = Solid::make(test::ball({0, 0, 0}, 0.05, 8));
+    EXPECT_NEAR(measure(*inside, Elements(std::vector{e})).exposed_area, area, 5e-3 * area);
+}
+
 /// The same solid as a primitive and as a mesh around it.
 TEST(Ellipsoid, IsASolid) {
     const Pose pose = Pose::from_xyz_rpy({0.1, -0.2, 0.3}, {0.5, 1, -0.4});
@@ -171,6 +204,24 @@ TEST(Ellipsoid, IsASolid) {
     EXPECT_NEAR(mass->mass, 1000 * exact, 1e-9);
     EXPECT_NEAR(mass->inertia[0] + mass->inertia[1] + mass->inertia[2],
                 2 * mass->mass / 5 * (0.09 + 0.04 + 0.01), 1e-9);
+}
+
+/// Thin plates on the facets of the polyhedron around it do not hold the surface beneath.
+TEST(Ellipsoid, IsNotHeldByPlatesOnTheFacetsAroundIt) {
+    const auto solid = test::primitive_solid(Element::ellipsoid({0.3, 0.25, 0.2}), {});
+    const Mesh& facets = solid->surface();
+    std::vector<Element> plates;
+    for (const auto& [i, j, k] : facets.triangles) {
+        const Vec3 &a = facets.vertices[i], &b = facets.vertices[j], &c = facets.vertices[k];
+        const Vec3 x = normalized(b - a), z = normalized(cross(b - a, c - a)), y = cross(z, x);
+        Element plate = Element::box({0.1, 0.1, 1e-9});
+        plate.pose.rotation = {Vec3{x.x, y.x, z.x}, Vec3{x.y, y.y, z.y}, Vec3{x.z, y.z, z.z}};
+        plate.pose.translation = (a + b + c) / 3;
+        plates.push_back(plate);
+    }
+    const Certificate refused = certify(*solid, Elements(plates));
+    EXPECT_FALSE(refused.holds);
+    EXPECT_TRUE(certify(*Solid::make(facets), Elements(plates)).holds) << "the facets themselves";
 }
 
 } // namespace
