@@ -206,6 +206,28 @@ TEST(Ellipsoid, IsASolid) {
                 2 * mass->mass / 5 * (0.09 + 0.04 + 0.01), 1e-9);
 }
 
+/// A ball in an ellipsoid is known in closed form, as far as the least half axis goes.
+TEST(Ellipsoid, HoldsABallNoLargerThanItsLeastHalfAxis) {
+    const Pose pose = Pose::from_xyz_rpy({0.1, -0.2, 0.3}, {0.5, 1, -0.4});
+    const Elements own(std::vector{moved(Element::ellipsoid({0.3, 0.2, 0.1}), pose)});
+    const auto is_held = [&](double radius, const Vec3& at) {
+        Pose there = pose;
+        there.translation = pose * at;
+        return certify(*test::primitive_solid(Element::sphere(radius), there), own).holds;
+    };
+    for (const double radius : {0.01, 0.05, 0.1 * (1 - 1e-9)}) {
+        EXPECT_TRUE(is_held(radius, {})) << radius;
+    }
+    for (const double radius : {0.1 * (1 + 1e-9), 0.15, 0.2, 0.25, 0.3, 0.5, 2.0}) {
+        EXPECT_FALSE(is_held(radius, {})) << radius;
+    }
+    for (const double radius : {0.01, 0.03, 0.05}) { // the ball of half the size about the place lies in it
+        EXPECT_TRUE(is_held(radius, {0.15 * (1 - 1e-9), 0, 0})) << radius;
+    }
+    EXPECT_FALSE(is_held(0.05, {0, 0, 0.05 * (1 + 1e-9)}));
+    EXPECT_FALSE(is_held(0.05, {0, 0.2, 0}));
+}
+
 /// Thin plates on the facets of the polyhedron around it do not hold the surface beneath.
 TEST(Ellipsoid, IsNotHeldByPlatesOnTheFacetsAroundIt) {
     const auto solid = test::primitive_solid(Element::ellipsoid({0.3, 0.25, 0.2}), {});
