@@ -31,7 +31,7 @@ void add_execute_options(CLI::App& command, ExecuteOptions& options) {
     command.add_flag("--fresh", options.fresh, "Do not use the cache");
     command
         .add_option("--time-limit", options.time_limit,
-                    "Write the best spheres that foam finds within S seconds of the start")
+                    "Write the best elements that foam finds within S seconds of the start")
         ->type_name("S")
         ->check(number_above(0));
     add_force(command, options.force);

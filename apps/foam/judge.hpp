@@ -40,9 +40,9 @@ CoveredGeometry covered_geometry(const std::string& word);
 /// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options);
 
-/// The geometry, its loader's warnings go to stderr.
+/// Returns the geometry. Warnings of its loader go to stderr.
 Original original_of(Program& program, const JudgeOptions& options);
-/// The spheres brought onto its links, the notes go to stderr. `alone`: every rename must be of a link of it.
+/// Returns the model brought onto its links. Notes go to stderr. `alone`: every rename must be of a link of it.
 MatchedModel model_of(Program& program, const JudgeOptions& options, const Original& original, const std::string& file,
                       bool alone = true);
 /// Throws Error(usage) for a --rename whose OLD no link of the files has, or begins with.

@@ -101,7 +101,7 @@ std::optional<Mesh> closed_manifold(const Mesh& given, Context& context) {
         }
     };
     report(static_cast<std::size_t>(std::count(mixed.begin(), mixed.end(), 1)),
-         "closed parts had triangles facing either way: made to agree");
+           "closed parts had triangles facing either way: made to agree");
     report(nesting.turned, "closed parts faced the wrong way: turned");
     report(nesting.cavities, "closed parts face inwards inside of another: kept as cavities");
     report(added, "vertices added where parts touch in a point");

@@ -238,9 +238,10 @@ std::string vamp_world_text(const SphereModel& model) {
         const std::string name = name_of(link, number++);
         const bool is_box = element.kind == Element::Kind::box;
         if (!is_box && element.kind != Element::Kind::capsule && element.kind != Element::Kind::cylinder) {
-            throw Error(ErrorCode::output, fmt::format("write.vamp_world: VAMP's problems hold spheres, capsules, "
-                                                       "cylinders and boxes, but no {}; remedy: other kinds of elements",
-                                                       noun_of(element.kind, 2)));
+            throw Error(ErrorCode::output,
+                        fmt::format("write.vamp_world: VAMP's problems hold spheres, capsules, cylinders and boxes, "
+                                    "but no {}; remedy: other kinds of elements",
+                                    noun_of(element.kind, 2)));
         }
         // Roll, pitch and yaw, as in a URDF.
         const Vec3 rpy = short_roll_pitch_yaw(element.pose);

@@ -275,8 +275,8 @@ void tell(foam_report& report, std::string_view text) noexcept {
     report.error[length] = 0;
 }
 
-/// Describes the exception that is being handled.
-int reported(foam_report& report) noexcept {
+/// Describes the exception that is being handled in the report, and returns its code.
+int describe_failure(foam_report& report) noexcept {
     try {
         throw;
     } catch (const Error& error) {
@@ -317,7 +317,7 @@ template <class Body> int reported(foam_report* report, Body body) noexcept {
         body();
         return FOAM_OK;
     } catch (...) {
-        return reported(*report);
+        return describe_failure(*report);
     }
 }
 

@@ -38,21 +38,6 @@ Cover cover_of(SphereCover found) {
     return {std::move(found.spheres), found.certificate, found.volume};
 }
 
-/// Returns the balls of a solid that is made of no more than `count` balls alone; nothing for any other.
-std::optional<std::vector<Sphere>> few_balls(const Solid& solid, std::size_t count) {
-    if (solid.parts().size() > count) {
-        return {};
-    }
-    std::vector<Sphere> balls;
-    for (const Solid::Part& part : solid.parts()) {
-        if (!part.primitive || part.primitive->kind != Element::Kind::sphere) {
-            return {};
-        }
-        balls.push_back({part.pose.translation, part.primitive->radius});
-    }
-    return balls;
-}
-
 } // namespace
 
 std::optional<Effort> effort_named(std::string_view word) {
@@ -93,7 +78,7 @@ Cover cover(const Solid& solid, std::size_t count, const CoverOptions& options) 
     const bool may_be_spheres =
         std::find(options.kinds.begin(), options.kinds.end(), Element::Kind::sphere) != options.kinds.end();
     if (may_be_spheres && options.objective != Objective::radius) { // smaller balls may cover a large one
-        if (std::optional<std::vector<Sphere>> balls = few_balls(solid, count)) {
+        if (std::optional<std::vector<Sphere>> balls = balls_of(solid, count)) {
             Cover found = convex::proved(solid, std::move(*balls));
             found.volume = exact_union_volume(found.elements.spheres());
             return found;

@@ -112,7 +112,8 @@ Json standing(std::size_t version, bool undo, bool redo) {
     return {{"version", version}, {"undo", undo}, {"redo", redo}};
 }
 
-/// Links whose verdict is returned with a change; the page asks for the others, so that a robot's change is drawn at once.
+/// Links whose verdict is returned with a change. The page asks for the others, so that a robot's change is drawn at
+/// once.
 constexpr std::size_t most_verdicts = 2;
 
 std::string change_json(Session& session, const Change& change) {

@@ -130,7 +130,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
 
     Data(Session & s, Wording w) : session(s), wording(std::move(w)) {}
 
-    std::string shown(const std::exception& error) const {
+    std::string message_of(const std::exception& error) const {
         return shown_lines(wording ? wording(error.what()) : error.what());
     }
 
@@ -182,7 +182,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
                       try {
                           response.set_content(answered(session, request.body), "application/json");
                       } catch (const Error& error) {
-                          answer(response, error.code() == ErrorCode::internal ? 500 : 400, shown(error));
+                          answer(response, error.code() == ErrorCode::internal ? 500 : 400, message_of(error));
                       }
                   });
     }
@@ -205,7 +205,7 @@ struct [[gnu::visibility("hidden")]] Server::Data {
                 try {
                     std::rethrow_exception(thrown);
                 } catch (const std::exception& error) {
-                    answer(response, 500, shown(error));
+                    answer(response, 500, message_of(error));
                 }
             });
         for (const char* name : {"", "view.css", "view.js"}) {

@@ -69,4 +69,18 @@ std::shared_ptr<const Solid> solid_of_balls(std::span<const Sphere> balls) {
     return Solid::make(std::move(parts));
 }
 
+std::optional<std::vector<Sphere>> balls_of(const Solid& solid, std::size_t most) {
+    if (solid.parts().size() > most) {
+        return {};
+    }
+    std::vector<Sphere> balls;
+    for (const Solid::Part& part : solid.parts()) {
+        if (!part.primitive || part.primitive->kind != Element::Kind::sphere) {
+            return {};
+        }
+        balls.push_back({part.pose.translation, part.primitive->radius});
+    }
+    return balls;
+}
+
 } // namespace foam::inline geometry

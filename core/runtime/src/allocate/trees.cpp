@@ -1,6 +1,7 @@
 #include "allocate/exploration.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/solid_of_balls.hpp>
 #include <foam/runtime/internal/cover.hpp>
 #include <foam/sdk/kinds.hpp>
 
@@ -11,15 +12,6 @@
 
 namespace foam::inline runtime {
 namespace {
-
-/// Returns the sphere if the shape is one: no spherizer can do better.
-std::optional<Sphere> as_sphere(const Solid& solid) {
-    const Solid::Part& part = solid.parts().front();
-    if (solid.parts().size() > 1 || !part.primitive || part.primitive->kind != Element::Kind::sphere) {
-        return {};
-    }
-    return Sphere{part.pose.translation, part.primitive->radius};
-}
 
 /// Runs the spherizer. Returns one checked tree for each budget.
 std::vector<SphereTree> run_spherizer(const Workspace& workspace, ShapeWork& work, const std::vector<Budget>& budgets,
@@ -103,14 +95,14 @@ void compute_trees(const Workspace& workspace, ShapeWork& work, const std::vecto
     std::vector<Digest> keys;
     std::vector<std::size_t> missing;
     std::map<std::size_t, Cached<SphereTree>> known; // by requested count
-    const auto sphere =
-        knows_all(work.kinds, {Element::Kind::sphere}) ? as_sphere(work.shape->original()) : std::nullopt;
+    const auto ball = // no spherizer can do better
+        knows_all(work.kinds, {Element::Kind::sphere}) ? balls_of(work.shape->original(), 1) : std::nullopt;
     for (const std::size_t count : counts) {
         if (work.known.asked.contains(count)) {
             continue;
         }
-        if (sphere) {
-            known[count].result = flat_tree({*sphere});
+        if (ball) {
+            known[count].result = flat_tree(*ball);
             continue;
         }
         const Budget budget = budget_of(workspace.recipe, work, count);

@@ -32,9 +32,10 @@ double extent(const Cloud& cloud, const Vec3& axis) {
     return std::max(high - low, 2 * thin);
 }
 
-class TreeSearch {
+/// Boxes around the points, turned to better orientations.
+class TurnedBoxes {
 public:
-    explicit TreeSearch(const Cloud& cloud) : cloud_(cloud) {}
+    explicit TurnedBoxes(const Cloud& cloud) : cloud_(cloud) {}
 
     Oriented as_is(const Axes& axes) const {
         return {axes, extent(cloud_, axes[0]) * extent(cloud_, axes[1]) * extent(cloud_, axes[2])};
@@ -103,7 +104,7 @@ Fit box_along(const Cloud& cloud, const Axes& axes) {
 }
 
 Fit quick_box(const Cloud& cloud) {
-    TreeSearch search(cloud);
+    TurnedBoxes search(cloud);
     Oriented best = search.as_is(principal_axes_of(cloud.points));
     for (const Vec3& axis : Axes(best.axes)) {
         if (const Oriented found = search.about(axis); found.volume < best.volume) {
@@ -115,7 +116,7 @@ Fit quick_box(const Cloud& cloud) {
 
 /// Returns boxes of little volume, the least first.
 static std::vector<Oriented> boxes_from(const Cloud& cloud, const std::vector<Vec3>& normals, Effort effort) {
-    TreeSearch search(cloud);
+    TurnedBoxes search(cloud);
     std::vector<Oriented> boxes{search.as_is({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}),
                                 search.as_is(principal_axes_of(cloud.points))};
     const std::size_t flush = effort == Effort::fast ? 12 : effort == Effort::normal ? 40 : 200;
@@ -154,12 +155,12 @@ Fit least_box(const Cloud& cloud, Effort effort) {
         constexpr double near = 0.02; // units
         const Fit first = box_along(cloud, found.front().axes);
         const Cloud boundary = near_boundary(first, cloud, near);
-        TreeSearch search(boundary);
+        TurnedBoxes search(boundary);
         const Fit box = box_along(cloud, search.descended(search.as_is(found.front().axes), effort).axes);
         return volume(box) < volume(first) ? box : first;
     }
     const std::size_t looks = effort == Effort::normal ? 6 : found.size();
-    TreeSearch search(cloud);
+    TurnedBoxes search(cloud);
     std::optional<Oriented> best;
     for (std::size_t i = 0; i < std::min(looks, found.size()); ++i) {
         const Oriented box = search.descended(search.as_is(found[i].axes), effort);

@@ -62,7 +62,7 @@ struct RunOptions {
     bool report = true;        ///< write report.html, with gaps to visual geometry; wasted if the directory is removed
     std::size_t threads = 0;   ///< 0: all cores
     const std::atomic<bool>* cancel = nullptr;
-    /// Ends the search for better spheres: the best elements so far are written, if that takes at most 1.5 s. If there
+    /// Ends the search for better elements: the best so far are written, if that takes at most 1.5 s. If there
     /// are none yet, it cancels the run.
     const std::atomic<bool>* stop = nullptr;
     /// Time limit, s since the start, in which the best result must be written; it replaces the recipe's. The run has

@@ -32,9 +32,10 @@ std::shared_ptr<const Solid> coarse_solid(const Solid& solid);
 
 /// Returns the solid united with its inside: with the cells of a grid from which most lines meet the solid on both
 /// sides. This is the ray stabbing of Nooruddin and Turk 2003. A majority of the lines is enough, so that holes in a
-/// wall do not matter. The same solid if there is no such cell. A cell has 1/48 of the longest edge of the solid's box; cells
-/// that meet the surface are left out, so the filled inside is smaller than the true one. Lines go from cell to cell: a
-/// hole in a wall that is narrower than a cell may be closed to them. A sheet without volume meets no line.
+/// wall do not matter. Returns the same solid if there is no such cell. A cell has 1/48 of the longest edge of the
+/// solid's box; cells that meet the surface are left out, so the filled inside is smaller than the true one. Lines go
+/// from cell to cell: a hole in a wall that is narrower than a cell may be closed to them. A sheet without volume meets
+/// no line.
 std::shared_ptr<const Solid> filled(const std::shared_ptr<const Solid>& solid);
 
 /// Returns about the volume of the cavities of a solid that is one mesh, m³: of shells wound inwards whose holes are

@@ -42,7 +42,7 @@ struct LoadedMesh {
     InputFile file;
     std::shared_ptr<const Mesh> mesh; ///< scaled, m
     StageReport report;               ///< of its loader
-    StageLog log;                    ///< by its loader
+    StageLog log;                     ///< of its loader
 };
 
 /// A robot or a mesh that was read.
@@ -54,7 +54,7 @@ struct LoadedInput {
     Digest digest;         ///< of the file
     std::size_t bytes = 0; ///< of the file
     StageReport report;    ///< of the loader; its stage is empty for a single mesh
-    StageLog log;         ///< by the loader
+    StageLog log;          ///< of the loader
     std::vector<LoadedMesh> meshes{}; ///< those that were kept; others are read when they are needed
 };
 
