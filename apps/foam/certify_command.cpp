@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 namespace foam::cli {
 namespace {
 
@@ -37,11 +39,18 @@ std::string table_of_proofs(const Original& original, const MatchedModel& model,
             table += padded(original.links[i].link, width) + fmt::format("  {}\n", no_elements);
             continue;
         }
+        const std::string place = !outer              ? std::to_string(proofs[i].sphere)
+                                  : proofs[i].cavity ? "inside"
+                                                     : std::to_string(proofs[i].triangle);
         table += fmt::format("{}  {:>{}}  {:>8}  {}\n", padded(original.links[i].link, width),
-                             millimetres(proofs[i].growth, 6), length.size(),
-                             outer ? proofs[i].triangle : proofs[i].sphere, point_text(proofs[i].witness));
+                             millimetres(proofs[i].growth, 6), length.size(), place, point_text(proofs[i].witness));
     }
     return table;
+}
+
+std::string with_capital(std::string text) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
 }
 
 int certify_spheres(Program& program, const CertifyArguments& arguments) {
@@ -65,15 +74,17 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
         print_json(json);
     } else if (failed == 0) {
         const KindCounts kinds = kinds_of_model(model);
-        const std::string missing = missing_text(proved);
-        print(
-            fmt::format("Certified{} ({}): {} on {}{}, {}.\n{}{}", proved.all() ? "" : " in part", arguments.guarantee,
-                        outer ? fmt::format("the {}geometry lies inside the {}",
-                                            missing.empty() ? "" : "surface of the ", proved.elements)
-                              : fmt::format("the {} lie inside the geometry", proved.elements),
-                        proved.all() ? "" : fmt::format("{} of ", proofs.size()), counted(proved.with_geometry, "link"),
-                        counts_text(kinds), missing, missing.empty() ? "" : ".\n") +
-            not_judged_text(proved));
+        std::string more;
+        for (const std::string& sentence : {surfaces_text(proved), missing_text(proved)}) {
+            more += sentence.empty() ? "" : with_capital(sentence) + ".\n";
+        }
+        print(fmt::format("Certified{} ({}): {} on {}{}{}, {}.\n{}", proved.all() ? "" : " in part", arguments.guarantee,
+                          outer ? fmt::format("the geometry lies inside the {}", proved.elements)
+                                : fmt::format("the {} lie inside the geometry", proved.elements),
+                          proved.all() ? "" : fmt::format("{} of ", proofs.size()),
+                          counted(proved.with_geometry, "link"), outer ? ", " + as_what(proved) : "",
+                          counts_text(kinds), more) +
+              not_judged_text(proved));
     } else {
         print(table_of_proofs(original, model, proofs, outer) +
               fmt::format("Not certified ({}): {} of {}.\n", arguments.guarantee, failed,

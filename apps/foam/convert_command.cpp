@@ -25,7 +25,7 @@ namespace foam::cli {
 namespace {
 
 struct ConvertArguments {
-    std::string model, robot, output, format, reader, into, pad, base_link;
+    std::string model, robot, output, format, reader, into, pad, base_link, covers = "solid";
     std::vector<std::string> tool_frames, locks, pose, renames, settings;
     std::size_t threads = 0;
     bool force = false, verbose = false;
@@ -159,7 +159,9 @@ int convert(Program& program, const ConvertArguments& arguments) {
     rename_links(file, renames_of(arguments.renames));
     std::optional<Original> original;
     if (!arguments.robot.empty()) {
-        original = load_original(arguments.robot, registry, {.name = program.standard_input.name_of(arguments.robot)});
+        original = load_original(arguments.robot, registry,
+                                 {.covers = covers_named(arguments.covers),
+                                  .name = program.standard_input.name_of(arguments.robot)});
     }
     const Original* known = original ? &*original : nullptr;
     name_only_link(file, known);
@@ -210,6 +212,8 @@ void add_convert(Program& program) {
     command->add_option("--format", arguments->format, "Format of the output: curobo, xrdf, srdf, mjcf, pyroki, …")
         ->type_name("FORMAT");
     add_reader(*command, arguments->reader);
+    add_covers(*command, arguments->covers,
+               "What is asked of the elements: solid, with the inside of what is closed, or surface alone");
     command->add_option("--into", arguments->into, "Copy this file to the output, with its spheres replaced")
         ->type_name("FILE");
     command->add_option("--pad", arguments->pad, "Add a length to all radii: 1cm, 10mm, or a number of metres")

@@ -60,6 +60,17 @@ void add_geometry(CLI::App& command, std::string& geometry, const std::string& t
         ->capture_default_str();
 }
 
+void add_covers(CLI::App& command, std::string& covers, const std::string& text) {
+    command.add_option("--covers", covers, text)
+        ->type_name("WHAT")
+        ->check(CLI::IsMember({to_string(Covers::solid), to_string(Covers::surface)}).description(""))
+        ->capture_default_str();
+}
+
+Covers covers_named(const std::string& word) {
+    return word == to_string(Covers::surface) ? Covers::surface : Covers::solid;
+}
+
 CoveredGeometry covered_geometry(const std::string& word) {
     const std::vector<std::string>& words = words_of_covered_geometry();
     return static_cast<CoveredGeometry>(std::find(words.begin(), words.end(), word) - words.begin());
@@ -73,6 +84,8 @@ void add_judge_options(CLI::App& command, Program& program, JudgeOptions& option
     program.standard_input.add_format(command);
     add_geometry(command, options.geometry,
                  "The geometry of a robot that elements are judged by: collision, visual or both");
+    add_covers(command, options.covers,
+               "What is asked of the elements: solid, with the inside of what is closed, or surface alone");
     add_mesh_unit(command, options.unit);
     add_reader(command, options.reader);
     add_renames(command, options.renames);
@@ -88,6 +101,7 @@ Original original_of(Program& program, const JudgeOptions& options) {
                                       {.links = options.links,
                                        .unit = options.unit,
                                        .geometry = covered_geometry(options.geometry),
+                                       .covers = covers_named(options.covers),
                                        .name = program.standard_input.name_of(options.original)});
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));

@@ -20,7 +20,7 @@ struct JudgeOptions {
     std::string original;
     std::vector<std::string> renames, links;
     MeshUnit unit;
-    std::string geometry = "collision";
+    std::string geometry = "collision", covers = "solid";
     std::string reader;      ///< of the spheres; empty: the one that recognises them
     std::size_t threads = 0; ///< 0: all cores
 };
@@ -35,6 +35,10 @@ void add_renames(CLI::App& command, std::vector<std::string>& texts);
 Renames renames_of(const std::vector<std::string>& texts);
 /// --geometry collision|visual|both.
 void add_geometry(CLI::App& command, std::string& geometry, const std::string& text);
+/// --covers solid|surface.
+void add_covers(CLI::App& command, std::string& covers, const std::string& text);
+/// Returns what --covers names.
+Covers covers_named(const std::string& word);
 /// Returns the geometry that --geometry names.
 CoveredGeometry covered_geometry(const std::string& word);
 /// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.

@@ -35,7 +35,7 @@ struct SpherizeArguments {
     std::string objective, effort;
     std::optional<std::uint64_t> seed;
     QuickBudget budget;
-    std::string max_protrusion, geometry = "collision";
+    std::string max_protrusion, geometry = "collision", covers = "solid";
     MeshUnit unit;
     std::vector<std::string> settings, tool_frames;
     ExecuteOptions execute;
@@ -113,6 +113,9 @@ std::vector<std::string> all_settings(const SpherizeArguments& arguments, const 
     }
     if (arguments.seed) {
         settings.push_back(fmt::format("seed={}", *arguments.seed));
+    }
+    if (arguments.covers != to_string(Covers::solid)) {
+        settings.push_back(fmt::format("covers={}", arguments.covers));
     }
     if (!arguments.tool_frames.empty()) {
         std::vector<std::string> links;
@@ -294,6 +297,8 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
     add_budget_options(command, *arguments, elements);
     add_geometry(command, arguments->geometry,
                  fmt::format("The geometry of a robot that the {} cover: collision, visual or both", elements));
+    add_covers(command, arguments->covers,
+               fmt::format("What the {} hold: solid, with the inside of what is closed, or surface alone", elements));
     add_mesh_unit(command, arguments->unit);
     CLI::Option* method =
         command

@@ -137,6 +137,22 @@ std::string link_member(const LinkSpheres& link, const SphereModel& model) {
 
 } // namespace
 
+/// Returns what the proof is of: solids, or the surfaces of some links alone; empty where nothing is proved to be covered.
+static std::string covers_member(const ProvedLinks& verdict) {
+    if (verdict.guarantee != Guarantee::outer || verdict.proved == 0) {
+        return "";
+    }
+    if (verdict.as_surface.empty()) {
+        return "  \"covers\": \"solid\",\n";
+    }
+    std::vector<std::string> links;
+    for (const ProvedLinks::LeftOut& link : verdict.as_surface) {
+        links.push_back(json_text(link.link));
+    }
+    return fmt::format("  \"covers\": \"surface\",\n  \"surface_links\": [{}],\n  \"missing\": {},\n", fmt::join(links, ", "),
+                       std::isfinite(verdict.missing) ? json_number(verdict.missing) : "null");
+}
+
 std::string write_links_layout(const SphereModel& model) {
     require_writable(model);
     std::vector<std::string> links;
@@ -158,9 +174,7 @@ std::string write_links_layout(const SphereModel& model) {
             ? ""
             : fmt::format("  \"geometry\": \"{}\",\n",
                           words_of_covered_geometry()[static_cast<std::size_t>(model.verdict.geometry)]),
-        model.verdict.surface_alone()
-            ? fmt::format("  \"covers\": \"surface\",\n  \"missing\": {},\n", json_number(model.verdict.missing))
-            : "",
+        covers_member(model.verdict),
         uncovered.empty() ? "" : fmt::format("  \"uncovered_links\": [{}],\n", fmt::join(uncovered, ", ")),
         fmt::join(links, ",\n"));
 }

@@ -37,8 +37,8 @@ std::vector<LinkSpheres> links_of_spheres(const SphereModel& model, Context& con
     });
     if (!spheres_alone(left_out)) {
         context.log(Severity::warning,
-                    fmt::format("SRDF has no elements but spheres: {}{} are not in the file",
-                                model.ignored_pairs ? "it has the pairs of links, " : "", counts_text(left_out)));
+                    fmt::format("SRDF has no elements but spheres: {}not in the file: {}",
+                                model.ignored_pairs ? "it has the pairs of links; " : "", counts_text(left_out)));
     }
     return links;
 }

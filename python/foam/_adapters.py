@@ -118,8 +118,8 @@ def page_of(model: SphereModel) -> str:
         excess = figures.get(link, {}).get("excess")
         cell = f"<td>{'' if excess is None else f'{excess:.2f}'}</td>" if figures else ""
         rows.append(f"<tr><td style='text-align:left'>{html.escape(link)}</td><td>{len(spheres)}</td><td>{radius}</td>{cell}</tr>")
-    hollow = any((one.get("missing") or 0) > 0 for one in figures.values())
-    proof = f"; proved to cover the {'surface of the ' if hollow else ''}geometry" if model.certified else ""
+    surfaces = len((model.summary or {}).get("proof", {}).get("as_surface", []))
+    proof = f"; proved to cover the geometry{f', {surfaces} as surfaces' if surfaces else ''}" if model.certified else ""
     words = f"<b>{html.escape(model.name)}</b>: {model.count} spheres of {len(model)} links{proof}"
     try:
         image = base64.b64encode(picture(model)).decode()

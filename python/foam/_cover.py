@@ -25,7 +25,7 @@ class Cover:
     __slots__ = ("spheres", "certified", "volume", "_others", "_region", "_volumes")
 
     spheres: NDArray[np.float64]  #: the spheres among the elements: (n, 4) float64, read-only: x, y, z, r in metres
-    certified: bool  #: whether the whole surface is proved to be covered
+    certified: bool  #: whether the mesh is proved to be covered: as a solid, with its inside, if it is closed
     volume: float  #: of the union of the elements, m³
 
     def __init__(
@@ -73,7 +73,7 @@ class Cover:
     def missing(self) -> float:
         """The volume of the mesh outside the cover / the volume of the mesh; 0 for a mesh without inside.
 
-        Above 0 only the surface is proved to be covered. Computed when it is first read.
+        0 for a closed mesh, by the proof; of an open one the surface is covered. Computed when it is first read.
         """
         return self._measured()[1]
 
@@ -111,7 +111,7 @@ class Cover:
     def __repr__(self) -> str:
         numbers = Counter(["sphere"] * len(self.spheres) + [element["kind"] for element in self._others])
         kinds = ", ".join(_noun(number, kind) for kind, number in numbers.items())
-        return f"<foam.Cover: {kinds}, {'surface certified' if self.certified else 'not certified'}>"
+        return f"<foam.Cover: {kinds}, {'certified' if self.certified else 'not certified'}>"
 
 
 def _noun(number: int, kind: str) -> str:
@@ -163,13 +163,14 @@ def _covers(
     axis_aligned: bool = False,
     time_limit: float | None = None,
     radii: Any = None,
+    covers: str = "solid",
     alone: bool = True,
 ) -> list[Cover]:
     """Return the covers for each count by one search; `alone`: for the one count, which is quicker with effort fast."""
     given = _region(region, radii)
     results = _core.cover(
         given._core, counts, alone, [kinds] if isinstance(kinds, str) else list(kinds), effort, objective, _seed(seed),
-        operator.index(max_vertices), bool(axis_aligned), _limit(time_limit),
+        operator.index(max_vertices), bool(axis_aligned), _limit(time_limit), covers,
     )  # fmt: skip
     return [Cover(*result, given) for result in results]
 
@@ -185,9 +186,12 @@ def cover(
     seed: int = 0,
     max_vertices: int = 64,
     axis_aligned: bool = False,
+    covers: str = "solid",
     time_limit: float | None = None,
 ) -> Cover:
-    """Return at most `elements` convex elements that cover the surface of a mesh, or points with radii, proved.
+    """Return at most `elements` convex elements that cover a mesh, or points with radii, proved.
+
+    A closed mesh is covered as a solid, with its inside; of an open one the surface is covered.
 
     The function is that of C++, `foam::cover()`: the result is the same, bit for bit, on any number of threads.
 
@@ -196,14 +200,15 @@ def cover(
             (Open3D); metres, any frame. With `radii`: points, (n, 3).
         elements: the greatest number of elements, at least 1.
         kinds: of elements, one or several of `foam.KINDS`, such as "capsule".
-        radii: of the points, (n,) or one number, metres: the surface of the union of their balls is covered; `missing`
-            says how much of the inside is not. 0: a millionth of the size of all points.
+        radii: of the points, (n,) or one number, metres: the union of their balls is covered. 0: a millionth of the
+            size of all points.
         effort: "fast" (milliseconds), "normal" or "best".
         objective: what is minimised: "excess" (volume outside the region), "protrusion", "mean_protrusion", or for
             spheres alone "radius".
         seed: of the search for spheres.
         max_vertices: of a hull, at least 4.
         axis_aligned: boxes have the axes of the region's frame.
+        covers: "solid", or "surface": the surface alone, and maybe nothing inside.
         time_limit: seconds; the best elements by then, certified like any others, but not the same in each call. The
             first elements are always waited for: some milliseconds, a second for tens of thousands of spheres.
 
@@ -216,7 +221,7 @@ def cover(
     """
     return _covers(
         region, [_count(elements, "elements")], kinds, radii=radii, effort=effort, objective=objective, seed=seed,
-        max_vertices=max_vertices, axis_aligned=axis_aligned, time_limit=time_limit,
+        max_vertices=max_vertices, axis_aligned=axis_aligned, covers=covers, time_limit=time_limit,
     )[0]  # fmt: skip
 
 
@@ -229,7 +234,7 @@ def spherize(
     seed: int = 0,
     time_limit: float | None = None,
 ) -> Cover:
-    """Return at most `spheres` spheres that cover the surface of a mesh, proved: cover() for spheres alone."""
+    """Return at most `spheres` spheres that cover a mesh, proved: cover() for spheres alone."""
     return _covers(
         mesh, [_count(spheres)], "sphere", effort=effort, objective=objective, seed=seed, time_limit=time_limit
     )[0]
@@ -265,7 +270,7 @@ def approximate(
     axis_aligned: bool = False,
     time_limit: float | None = None,
 ) -> Cover:
-    """Return at most `elements` convex elements that cover the surface of a mesh, proved: cover() for other kinds."""
+    """Return at most `elements` convex elements that cover a mesh, proved: cover() for other kinds."""
     return _covers(
         mesh, [_count(elements, "elements")], kinds, effort=effort, objective=objective, max_vertices=max_vertices,
         axis_aligned=axis_aligned, time_limit=time_limit,

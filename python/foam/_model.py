@@ -256,8 +256,8 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        hollow = self.summary is not None and self.summary["proof"]["missing"] != 0
-        proof = (", certified for the surface" if hollow else ", certified") if self.certified else ""
+        surfaces = len(self.summary["proof"].get("as_surface", [])) if self.summary is not None else 0
+        proof = (f", certified, {surfaces} as surfaces" if surfaces else ", certified") if self.certified else ""
         noun = "elements" if self._elements else "spheres"
         return f"<foam.SphereModel '{self.name}': {self.count} {noun} of {len(self)} links{proof}>"
 

@@ -81,7 +81,7 @@ class _Judged(_Result):
 
     @property
     def missing(self) -> float:
-        """Share of the volume of the links that lies outside all elements; above 0 the proof is of the surface alone;
+        """Share of the volume of the links that lies outside all elements; 0 where all are covered as solids;
         not a number where it was not measured."""
         missing = self._values["proof"]["missing"]
         return float("nan") if missing is None else float(missing)
@@ -138,7 +138,8 @@ class Certificate(_Judged):
         return {link["link"]: np.array(link[key], float) for link in self._values["links"] if not link["certified"]}
 
     def __repr__(self) -> str:
-        holds = "holds for the surface" if self.missing != 0 else "holds"
+        surfaces = len(self._values["proof"]["as_surface"])
+        holds = f"holds, {surfaces} as surfaces" if surfaces else "holds"
         return f"<foam.Certificate: {holds if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
 
 

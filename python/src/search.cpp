@@ -69,20 +69,25 @@ std::vector<Cover> found_each(const Solid& solid, const std::vector<std::size_t>
 /// `alone`: the one count is searched for itself, which is quicker where the effort is fast.
 py::list covered(const HeldMesh& mesh, const std::vector<std::size_t>& counts, bool alone,
                  const std::vector<std::string>& kinds, const std::string& effort, const std::string& objective,
-                 std::uint64_t seed, std::size_t max_vertices, bool axis_aligned, std::optional<double> time_limit) {
+                 std::uint64_t seed, std::size_t max_vertices, bool axis_aligned, std::optional<double> time_limit,
+                 const std::string& covers) {
+    if (covers != to_string(Covers::solid) && covers != to_string(Covers::surface)) {
+        throw Error(ErrorCode::usage, fmt::format("unknown covers '{}'; there are: solid, surface", covers));
+    }
     CoverOptions options{.kinds = kinds_named(kinds, "kinds"),
                          .effort = effort_of(effort),
                          .objective = objective_of(objective),
                          .seed = seed,
                          .max_vertices = max_vertices,
                          .axis_aligned = axis_aligned};
-    std::vector<Cover> covers = worked([&](const Signals& signals) {
+    std::vector<Cover> found = worked([&](const Signals& signals) {
         options.stop = stop_of(signals, time_limit);
-        return alone ? std::vector{cover(*mesh.solid(), counts.front(), options)}
-                     : found_each(*mesh.solid(), counts, options);
+        const std::shared_ptr<const Solid> solid =
+            covers == to_string(Covers::surface) ? as_surface(*mesh.solid()) : mesh.solid();
+        return alone ? std::vector{cover(*solid, counts.front(), options)} : found_each(*solid, counts, options);
     });
     py::list list;
-    for (Cover& cover : covers) {
+    for (Cover& cover : found) {
         list.append(tuple_of(std::move(cover)));
     }
     return list;
@@ -143,7 +148,7 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
 void add_search(py::module_& module) {
     module.def("cover", &covered, py::arg("mesh"), py::arg("counts"), py::arg("alone"), py::arg("kinds"),
                py::arg("effort"), py::arg("objective"), py::arg("seed"), py::arg("max_vertices"),
-               py::arg("axis_aligned"), py::arg("time_limit"));
+               py::arg("axis_aligned"), py::arg("time_limit"), py::arg("covers"));
     module.def(
         "mesh_of_balls",
         [](const py::buffer& rows) {

@@ -49,7 +49,7 @@ TEST_F(CliConvert, SaysWhatIsProved) {
     EXPECT_THAT(foam("convert model.csv -o a.json --format pyroki").out,
                 HasSubstr("Nothing is proved without the robot's original geometry."));
     EXPECT_THAT(foam("convert model.csv arm.urdf -o a.xrdf --tool-frame tool").out,
-                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, also in single "
+                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids, also in single "
                           "precision."));
     write("small.csv", "link,x,y,z,radius\nbase,0,0,0,0.09\nupper,0,0,0,0.2\n");
     EXPECT_THAT(foam("convert small.csv arm.urdf -o b.csv").out,
@@ -123,7 +123,7 @@ TEST_F(CliConvert, AnSrdfHasThePairsOfElementsThatItCannotHold) {
     const Outcome outcome = foam("convert boxes.json arm.urdf -o boxes.srdf");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.err,
-                HasSubstr("SRDF has no elements but spheres: it has the pairs of links, 2 boxes are not in the file\n"));
+                HasSubstr("SRDF has no elements but spheres: it has the pairs of links; not in the file: 2 boxes\n"));
     for (const char* file : {"run.srdf", "boxes.srdf"}) {
         EXPECT_THAT(contents(path() / file), HasSubstr("<disable_collisions link1=\"base\" link2=\"upper\""));
         EXPECT_THAT(contents(path() / file), HasSubstr("pairs for a model whose elements are in another file: foam"));
@@ -137,7 +137,7 @@ TEST_F(CliConvert, OneLinkHasNoPairs) {
                       "</link></robot>");
     const Outcome boxes = foam("approximate one.urdf -n 2 --with box -o one.srdf");
     EXPECT_EQ(boxes.code, 0);
-    EXPECT_THAT(boxes.err, HasSubstr("SRDF has no elements but spheres: 2 boxes are not in the file\n"));
+    EXPECT_THAT(boxes.err, HasSubstr("SRDF has no elements but spheres: not in the file: 1 box\n"));
     EXPECT_THAT(boxes.err, Not(HasSubstr("pairs")));
     EXPECT_THAT(foam("spherize one.urdf -n 2 -o one.srdf --force").err, Not(HasSubstr("pairs")));
 }
@@ -192,7 +192,7 @@ TEST_F(CliConvert, VampGetsItsThreeFiles) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("Written: arm_vamp.urdf, arm_vamp.srdf, arm_vamp.json by write.vamp\n"));
     EXPECT_THAT(outcome.out,
-                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, also in "
+                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids, also in "
                           "single precision."));
     EXPECT_THAT(contents(path() / "arm_vamp.srdf"), HasSubstr("<disable_collisions link1=\"base\" link2=\"upper\""));
     const auto job = nlohmann::json::parse(contents(path() / "arm_vamp.json"));

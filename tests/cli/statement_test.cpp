@@ -29,7 +29,7 @@ protected:
     json manifest() const { return json::parse(contents(path() / "runs/three/manifest.json")); }
 };
 
-constexpr const char* both_proved = "Proved: the collision geometry of 2 of 2 links lies inside their spheres.\n"
+constexpr const char* both_proved = "Proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids.\n"
                                     "1 link has visual geometry only and no spheres: camera.\n";
 
 TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
@@ -39,10 +39,10 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
     EXPECT_TRUE(manifest()["certified"]);
     EXPECT_EQ(manifest()["proof"],
               json::parse(R"({"geometry": "collision", "links_with_geometry": 2, "links_proved": 2, "missing": 0.0,
-                              "statement": "proved: the collision geometry of 2 of 2 links lies inside their spheres",
-                              "left_out": [], "visual_only": ["camera"], "collision_only": []})"));
+                              "statement": "proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids",
+                              "as_surface": [], "left_out": [], "visual_only": ["camera"], "collision_only": []})"));
     EXPECT_THAT(contents(path() / "runs/three/report.html"),
-                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres."));
+                HasSubstr("Proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids."));
     const Outcome certified = foam("certify three.urdf runs/three/out.urdf");
     EXPECT_EQ(certified.code, 0) << certified.err;
     EXPECT_THAT(certified.out, HasSubstr("on 2 links, "));
@@ -52,7 +52,7 @@ TEST_F(CliStatement, AllThatHasCollisionGeometryIsProved) {
 TEST_F(CliStatement, ALinkThatTheRecipeLeavesOutIsNotProved) {
     const Outcome outcome = foam("run three.yaml --set links.base.skip=true");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string sentences = "Proved in part: the collision geometry of 1 of 2 links lies inside their spheres.\n"
+    const std::string sentences = "Proved in part: the collision geometry of 1 of 2 links lies inside their spheres, as a solid.\n"
                                   "Not part of the proof: base (skip in the recipe).\n"
                                   "1 link has visual geometry only and no spheres: camera.\n";
     EXPECT_THAT(outcome.out, HasSubstr(sentences));
@@ -97,7 +97,7 @@ TEST_F(CliStatement, LinksThatWereNotAskedForAreNamed) {
     EXPECT_EQ(certified["proof"]["links_proved"], 1);
     const Outcome evaluated = foam("evaluate three.urdf runs/three/out.urdf --link tip");
     EXPECT_THAT(evaluated.out, HasSubstr("in part\nProved in part: the collision geometry of 1 of 2 links lies inside "
-                                         "their spheres.\nNot part of the proof: base (excluded by --link).\n"));
+                                         "their spheres, as a solid.\nNot part of the proof: base (excluded by --link).\n"));
     const Outcome compared = foam("compare three.urdf runs/three/out.urdf --link tip --html page.html");
     EXPECT_THAT(compared.out, HasSubstr("\nA   Proved in part: the collision geometry of 1 of 2 links lies inside"));
     EXPECT_THAT(contents(path() / "page.html"), HasSubstr("<td class=\"no\">in part</td>"));
@@ -114,7 +114,7 @@ TEST_F(CliStatement, AFittedModelIsSaidToBeUnproved) {
 TEST_F(CliStatement, AShortTimeLimitLeavesAProvedResult) {
     const Outcome outcome = foam("run three.yaml --fresh --time-limit 0.000001");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("\nProved: the collision geometry of 2 of 2 links lies inside their spheres.\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("\nProved: the collision geometry of 2 of 2 links lies inside their spheres, as solids.\n"));
     EXPECT_EQ(outcome.out.find("Report: ") != outcome.out.npos, std::filesystem::exists(path() / "runs/three/report.html"))
         << outcome.out;
 }

@@ -100,7 +100,7 @@ TEST_F(CliVerdict, AFileWithoutSomeLinkIsNotCertified) {
                           "links: {tip: {skip: true}}\noutputs: [write.urdf: {file: out.urdf}, write.plainmp: {file: out.yml}]\n");
     ASSERT_EQ(foam("run skipped.yaml --run-dir skipped").code, 0);
     const std::string header = contents(path() / "skipped/out.yml");
-    EXPECT_THAT(header, HasSubstr("proved in part: the collision geometry of 1 of 2 links lies inside their spheres"));
+    EXPECT_THAT(header, HasSubstr("proved in part: the collision geometry of 1 of 2 links lies inside their spheres, as a solid"));
     EXPECT_THAT(header, HasSubstr("; not part of the proof: tip (skip in the recipe)\n"));
     EXPECT_THAT(contents(path() / "skipped/out.urdf"), HasSubstr("empty.obj")) << "a link that is skipped keeps its geometry";
 }
@@ -169,40 +169,45 @@ protected:
     void SetUp() override {
         write("rod.urdf", "<robot name='r'><link name='base'><collision><geometry><cylinder radius='0.05' length='0.2'/></geometry>"
                           "</collision></link></robot>");
-        ASSERT_EQ(foam("approximate rod.urdf -n 16 --with box -o shell.json").code, 0);
+        ASSERT_EQ(foam("approximate rod.urdf -n 16 --with box --covers surface -o shell.json").code, 0);
     }
 };
 
 TEST_F(CliSurface, TheSentenceAndTheTableOfARunSaySo) {
-    write("shell.yaml", "foam: 1\nrobot: {urdf: rod.urdf}\nstages: [approximate.boxes]\nbudget: {spheres: 16}\n"
+    write("shell.yaml", "foam: 1\nrobot: {urdf: rod.urdf}\nstages: [approximate.boxes]\nbudget: {spheres: 16}\ncovers: surface\n"
                         "outputs: [write.urdf: {file: out.urdf}, write.mjcf: {file: out.mjcf}, write.json: {file: out.json}]\n");
     const Outcome outcome = foam("run shell.yaml --run-dir shell");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("elements    excess   missing    gap mm"));
-    EXPECT_THAT(outcome.out,
-                HasSubstr("Proved: the surface of the collision geometry of 1 of 1 link lies inside its elements.\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("Proved: the collision geometry of 1 of 1 link lies inside its elements, as a surface.\n"
+                                       "As a surface: base (covers: surface).\n"));
     EXPECT_THAT(outcome.out, HasSubstr("% of the volume lies outside all elements.\n"));
     const json manifest = json::parse(contents(path() / "shell/manifest.json"));
     EXPECT_GT(manifest["proof"]["missing"], 0.1);
     const std::string statement = manifest["proof"]["statement"];
-    EXPECT_THAT(statement, HasSubstr("proved: the surface of the collision geometry of 1 of 1 link lies inside its elements; "));
+    EXPECT_THAT(statement, HasSubstr("proved: the collision geometry of 1 of 1 link lies inside its elements, as a surface; "));
     EXPECT_THAT(contents(path() / "shell/out.mjcf"), HasSubstr(statement)) << "header, manifest: one sentence";
-    EXPECT_THAT(contents(path() / "shell/report.html"), HasSubstr("Proved: the surface of the collision geometry"));
+    EXPECT_THAT(contents(path() / "shell/report.html"), HasSubstr("lies inside its elements, as a surface"));
     const json model = json::parse(contents(path() / "shell/out.json"));
     EXPECT_EQ(model["covers"], "surface");
+    EXPECT_EQ(model["surface_links"], json::array({"base"}));
     EXPECT_EQ(model["missing"], manifest["proof"]["missing"]);
 }
 
 TEST_F(CliSurface, SoDoCertifyEvaluateAndConvert) {
-    const Outcome certified = foam("certify rod.urdf shell.json");
+    const Outcome hollow = foam("certify rod.urdf shell.json");
+    EXPECT_EQ(hollow.code, 1) << hollow.err;
+    EXPECT_THAT(hollow.out, HasSubstr("inside")) << "where: not on a triangle";
+    EXPECT_THAT(hollow.out, HasSubstr("Not certified (outer): 1 of 1 link.\n"));
+    const Outcome certified = foam("certify rod.urdf shell.json --covers surface");
     EXPECT_EQ(certified.code, 0) << certified.err;
-    EXPECT_THAT(certified.out, HasSubstr("Certified (outer): the surface of the geometry lies inside the elements on 1 link"));
+    EXPECT_THAT(certified.out, HasSubstr("Certified (outer): the geometry lies inside the elements on 1 link, as a surface"));
     EXPECT_THAT(certified.out, HasSubstr("% of the volume lies outside all elements.\n"));
-    const json evaluated = json::parse(foam("evaluate rod.urdf shell.json --json").out);
-    EXPECT_THAT(std::string(evaluated["proof"]["statement"]), HasSubstr("proved: the surface of"));
-    const Outcome converted = foam("convert shell.json rod.urdf -o shell.urdf");
+    const json evaluated = json::parse(foam("evaluate rod.urdf shell.json --covers surface --json").out);
+    EXPECT_THAT(std::string(evaluated["proof"]["statement"]), HasSubstr("as a surface"));
+    const Outcome converted = foam("convert shell.json rod.urdf --covers surface -o shell.urdf");
     EXPECT_EQ(converted.code, 0) << converted.err;
-    EXPECT_THAT(converted.out, HasSubstr("Proved: the surface of the collision geometry of 1 of 1 link lies inside its elements"));
+    EXPECT_THAT(converted.out, HasSubstr("Proved: the collision geometry of 1 of 1 link lies inside its elements, as a surface"));
 }
 
 /// Thin boxes on the faces of a rod across the axes, whose volume along lines is more than its own.
@@ -228,7 +233,7 @@ TEST_F(CliSurface, NoMoreThanAllOfTheVolumeIsMissing) {
     write("walls.json",
           R"({"foam_spheres": 2, "units": "m", "frame": "link", "links": {"needle": {"spheres": [], "elements": [)" +
               boxes.str() + "]}}}");
-    const Outcome certified = foam("certify needle.obj walls.json");
+    const Outcome certified = foam("certify needle.obj walls.json --covers surface");
     EXPECT_EQ(certified.code, 0) << certified.err;
     EXPECT_THAT(certified.out, HasSubstr("\n100 % of the volume lies outside all elements.\n"));
 }
@@ -237,8 +242,8 @@ TEST_F(CliSurface, NothingIsSaidWhereNothingIsMissing) {
     const Outcome outcome = foam("spherize rod.urdf -n 4 -o full.json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, Not(HasSubstr("missing")));
-    EXPECT_THAT(outcome.out, HasSubstr("Proved: the collision geometry of 1 of 1 link lies inside its spheres.\n"));
-    EXPECT_FALSE(json::parse(contents(path() / "full.json")).contains("covers"));
+    EXPECT_THAT(outcome.out, HasSubstr("Proved: the collision geometry of 1 of 1 link lies inside its spheres, as a solid.\n"));
+    EXPECT_EQ(json::parse(contents(path() / "full.json"))["covers"], "solid");
     EXPECT_THAT(foam("certify rod.urdf full.json").out, HasSubstr("Certified (outer): the geometry lies inside the spheres"));
 }
 

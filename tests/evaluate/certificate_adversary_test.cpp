@@ -334,7 +334,7 @@ TEST(CertificateAdversary, CoverOfTheShellAroundARoundPrimitiveIsNoCover) {
             ASSERT_GT(distance(trick.open, ball.center), ball.radius * (1 + 1e-6));
         }
         const auto shell = Solid::make(enclosing_mesh(primitive));
-        EXPECT_TRUE(certify(*shell, trick.balls).holds) << "the polyhedron itself is covered";
+        EXPECT_TRUE(certify(*as_surface(*shell), trick.balls).holds) << "the polyhedron itself is covered";
         const auto solid = Solid::make({{nullptr, primitive, Pose{}}});
         EXPECT_FALSE(certify(*solid, trick.balls).holds) << to_string(primitive.kind);
         const std::vector<Sphere> grown = grown_to_cover(*solid, trick.balls);

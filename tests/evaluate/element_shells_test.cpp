@@ -77,9 +77,9 @@ TEST(ElementShells, PlatesUponTheFacetsOfARoundPrimitiveAreNoCover) {
             EXPECT_TRUE(std::all_of(thin.begin(), thin.end(), [&](const Element& e) {
                 return Judge(e).outside(test::quad(pose * beneath_a_corner(primitive))) > 0;
             }));
-            EXPECT_TRUE(covers(*Solid::make(shell), Elements(thin))) << to_string(kind);
-            EXPECT_FALSE(covers(*solid, Elements(thin))) << to_string(kind) << ' ' << to_string(inner);
-            EXPECT_TRUE(covers(*solid, Elements(thick))) << to_string(kind) << ' ' << to_string(inner);
+            EXPECT_TRUE(covers(*as_surface(*Solid::make(shell)), Elements(thin))) << to_string(kind);
+            EXPECT_FALSE(covers(*as_surface(*solid), Elements(thin))) << to_string(kind) << ' ' << to_string(inner);
+            EXPECT_TRUE(covers(*as_surface(*solid), Elements(thick))) << to_string(kind) << ' ' << to_string(inner);
         }
     }
 }

@@ -36,7 +36,7 @@ TEST_F(EvaluateCli, ATableOfAllFigures) {
                 HasSubstr("good.csv (CSV): 2 spheres for arm.urdf\nlink   spheres      covered %     gap mm"));
     EXPECT_THAT(outcome.out, HasSubstr("\ntip          1   100.00 ±0.00       0.00   0.000 ±0.000   0.000 ±0.000"));
     EXPECT_THAT(outcome.out, HasSubstr("\ntotal        2   100.00 ±0.00       0.00"));
-    EXPECT_THAT(outcome.out, EndsWith("yes\nProved: the collision geometry of 2 of 2 links lies inside their spheres.\n"));
+    EXPECT_THAT(outcome.out, EndsWith("yes\nProved: the collision geometry of 2 of 2 links lies inside their spheres, as solids.\n"));
 }
 
 TEST_F(EvaluateCli, JsonHasEveryFigure) {
@@ -110,7 +110,7 @@ TEST_F(EvaluateCli, ALinkNamedLikeAGlobLeavesTheOthersIn) {
     write("odd.csv", "link,x,y,z,radius\nbase,0,0,0,0.174\n");
     const Outcome outcome = foam("certify odd.urdf odd.csv --link base");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.out, "Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, 1 sphere.\n"
+    EXPECT_EQ(outcome.out, "Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, as a solid, 1 sphere.\n"
                            "Not part of the proof: * (excluded by --link).\n");
 }
 
@@ -126,7 +126,7 @@ TEST_F(EvaluateCli, AMeshIsAnOriginalToo) {
 TEST_F(EvaluateCli, CertifyProves) {
     const Outcome outcome = foam("certify arm.urdf good.csv");
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_EQ(outcome.out, "Certified (outer): the geometry lies inside the spheres on 2 links, 2 spheres.\n");
+    EXPECT_EQ(outcome.out, "Certified (outer): the geometry lies inside the spheres on 2 links, as solids, 2 spheres.\n");
     write("inside.csv", "link,x,y,z,radius\nbase,0,0,0,0.099\ntip,0,0,0,0.09\n");
     EXPECT_EQ(foam("certify arm.urdf inside.csv --guarantee inner").out,
               "Certified (inner): the spheres lie inside the geometry on 2 links, 2 spheres.\n");

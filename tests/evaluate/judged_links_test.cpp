@@ -302,8 +302,39 @@ LinkSpheres shell_of(const std::string& link) {
     return shell;
 }
 
+/// Returns the original of whose links the surface alone is to be covered.
+Original as_surfaces(Original original) {
+    for (OriginalLink& link : original.links) {
+        std::vector<Solid::Part> parts = link.solid->parts();
+        for (Solid::Part& part : parts) {
+            part.covers = Covers::surface;
+        }
+        link.solid = Solid::make(std::move(parts));
+    }
+    return original;
+}
+
+TEST(JudgedLinks, ACavityIsNotProved) {
+    const Original solids = cubes({"shell", "full"}), surfaces = as_surfaces(solids);
+    const MatchedModel model = match(solids, file_of({shell_of("shell"), one_ball("full")}));
+    const std::vector<LinkProof> proofs = prove(solids, model, Guarantee::outer);
+    EXPECT_FALSE(proofs[0].holds);
+    EXPECT_TRUE(proofs[0].cavity);
+    EXPECT_TRUE(solids.links[0].solid->contains(proofs[0].witness));
+    EXPECT_GT(proofs[0].growth, 0);
+    const ProvedLinks in_part = proved_links(solids, model, proofs, Guarantee::outer);
+    EXPECT_EQ(in_part.proved, 1u);
+    EXPECT_TRUE(in_part.as_surface.empty());
+    EXPECT_EQ(in_part.missing, 0);
+    const ProvedLinks links = proved_links(surfaces, model, prove(surfaces, model, Guarantee::outer), Guarantee::outer);
+    EXPECT_EQ(links.proved, 2u);
+    ASSERT_EQ(links.as_surface.size(), 2u);
+    EXPECT_EQ(links.as_surface[0].link, "shell");
+    EXPECT_EQ(links.as_surface[0].reason, "covers: surface");
+}
+
 TEST(JudgedLinks, WhatIsMissingIsOfTheProvedLinks) {
-    const Original original = cubes({"shell", "full", "open", "bald"});
+    const Original original = as_surfaces(cubes({"shell", "full", "open", "bald"}));
     const MatchedModel model = match(original, file_of({shell_of("shell"), one_ball("full"), one_ball("open", 0.01)}));
     const auto missing = [&](std::initializer_list<bool> proved) {
         return proved_links(original, model, proofs_of(proved), Guarantee::outer).missing;
@@ -318,7 +349,7 @@ TEST(JudgedLinks, WhatIsMissingIsOfTheProvedLinks) {
     EXPECT_EQ(links.proved, 2u);
     EXPECT_EQ(links.elements, "elements");
     EXPECT_NEAR(links.missing, open_share / 2, 0.01);
-    EXPECT_TRUE(links.surface_alone());
+    EXPECT_EQ(links.as_surface.size(), 2u);
     const MatchedModel balls = match(original, file_of({one_ball("full")}));
     EXPECT_EQ(proved_links(original, balls, proofs_of({false, true, false, false}), Guarantee::outer).elements, "spheres");
 }

@@ -21,10 +21,10 @@ ProvedLinks verdict_about(std::size_t proved, std::size_t all, Guarantee guarant
 
 TEST(Statement, SaysOfHowManyLinksWhat) {
     EXPECT_EQ(statement_of(verdict_about(2, 2)),
-              "proved: the collision geometry of 2 of 2 links lies inside their spheres");
-    EXPECT_EQ(statement_of(verdict_about(1, 1)), "proved: the collision geometry of 1 of 1 link lies inside its spheres");
+              "proved: the collision geometry of 2 of 2 links lies inside their spheres, as solids");
+    EXPECT_EQ(statement_of(verdict_about(1, 1)), "proved: the collision geometry of 1 of 1 link lies inside its spheres, as a solid");
     EXPECT_EQ(statement_of(verdict_about(1, 2)),
-              "proved in part: the collision geometry of 1 of 2 links lies inside their spheres");
+              "proved in part: the collision geometry of 1 of 2 links lies inside their spheres, as a solid");
     EXPECT_EQ(statement_of(verdict_about(0, 2)), "not proved: the geometry may extend beyond the spheres");
     EXPECT_EQ(statement_of(verdict_about(0, 0)), "not proved: the geometry may extend beyond the spheres");
     EXPECT_EQ(statement_of(verdict_about(2, 2, Guarantee::inner)),
@@ -39,7 +39,7 @@ TEST(Statement, SaysOfHowManyLinksWhat) {
     other.geometry = CoveredGeometry::visual;
     other.float32 = true;
     EXPECT_EQ(statement_of(other),
-              "proved: the visual geometry of 2 of 2 links lies inside their elements, also in single precision");
+              "proved: the visual geometry of 2 of 2 links lies inside their elements, as solids, also in single precision");
     other.guarantee = Guarantee::inner;
     EXPECT_EQ(statement_of(other),
               "proved: the elements of 2 of 2 links lie inside their visual geometry, also in single precision");
@@ -47,20 +47,34 @@ TEST(Statement, SaysOfHowManyLinksWhat) {
     EXPECT_EQ(statement_of(other), "not proved: the elements may extend beyond the geometry");
 }
 
-TEST(Statement, OfASurfaceAloneSaysSo) {
+TEST(Statement, SaysWhichLinksAreCoveredAsSurfaces) {
+    ProvedLinks links = verdict_about(3, 3);
+    const std::string all = "proved: the collision geometry of 3 of 3 links lies inside their spheres, ";
+    EXPECT_EQ(statement_of(links), all + "as solids");
+    links.as_surface = {{"a", "its mesh is open"}};
+    EXPECT_EQ(statement_of(links), all + "2 as solids, 1 as a surface; as a surface: a (its mesh is open)");
+    EXPECT_EQ(verdict_of(links), "Proved: the collision geometry of 3 of 3 links lies inside their spheres, 2 as solids, 1 as "
+                                 "a surface.\nAs a surface: a (its mesh is open).\n");
+    links.as_surface.push_back({"b", "covers: surface"});
+    EXPECT_EQ(as_what(links), "1 as a solid, 2 as surfaces");
+    EXPECT_EQ(surfaces_text(links), "as a surface: a (its mesh is open), b (covers: surface)");
+    links.as_surface.push_back({"c", "covers: surface"});
+    EXPECT_EQ(as_what(links), "as surfaces");
+    EXPECT_EQ(as_what(verdict_about(1, 1)), "as a solid");
+    EXPECT_EQ(surfaces_text(verdict_about(1, 1)), "");
+}
+
+TEST(Statement, SaysHowMuchOfTheVolumeIsLeftOut) {
     ProvedLinks links = verdict_about(2, 2);
+    links.as_surface = {{"a", "its mesh is open"}};
     links.missing = 0.25;
-    const std::string surface = "proved: the surface of the collision geometry of 2 of 2 links lies inside their spheres";
-    EXPECT_EQ(statement_of(links), surface + "; 25 % of the volume lies outside all spheres");
-    EXPECT_EQ(verdict_of(links), "Proved: the surface of the collision geometry of 2 of 2 links lies inside their "
-                                 "spheres.\n25 % of the volume lies outside all spheres.\n");
-    EXPECT_EQ(covered_part(links), "surface of the collision geometry");
+    EXPECT_EQ(statement_of(links), "proved: the collision geometry of 2 of 2 links lies inside their spheres, 1 as a solid, 1 as "
+                                   "a surface; as a surface: a (its mesh is open); 25 % of the volume lies outside all spheres");
     links.missing = 0.00012;
     EXPECT_EQ(missing_text(links), "0.012 % of the volume lies outside all spheres");
     for (const double little : {0.00009, 1e-300}) {
         links.missing = little;
         EXPECT_EQ(missing_text(links), "less than 0.01 % of the volume lies outside all spheres");
-        EXPECT_TRUE(statement_of(links).starts_with(surface));
     }
     links.missing = 0.0001;
     EXPECT_EQ(missing_text(links), "0.01 % of the volume lies outside all spheres");
@@ -74,8 +88,6 @@ TEST(Statement, OfASurfaceAloneSaysSo) {
     }
     links.missing = 0;
     EXPECT_EQ(missing_text(links), "");
-    EXPECT_EQ(verdict_of(links), "Proved: the collision geometry of 2 of 2 links lies inside their spheres.\n");
-    EXPECT_EQ(covered_part(links), "collision geometry");
     links.missing = 0.5;
     links.guarantee = Guarantee::inner; // has nothing to do with it
     EXPECT_EQ(missing_text(links), "");
@@ -88,7 +100,7 @@ TEST(Statement, NamesWhatIsLeftOut) {
     ProvedLinks links = verdict_about(1, 3);
     links.left_out = {{"a\n", "skip in the recipe"}, {"b", "the proof\tfails"}};
     const std::string names = "a\\x0a (skip in the recipe), b (the proof\\x09fails)";
-    EXPECT_EQ(statement_of(links), "proved in part: the collision geometry of 1 of 3 links lies inside their spheres; "
+    EXPECT_EQ(statement_of(links), "proved in part: the collision geometry of 1 of 3 links lies inside their spheres, as a solid; "
                                    "not part of the proof: " + names);
     EXPECT_EQ(omissions_of(links), "Not part of the proof: " + names + ".\n");
     links.guarantee = Guarantee::fitted;

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using Levels = std::map<std::string, Elements>;
 
 const double half_diagonal = std::sqrt(0.03);
-const std::string all_proved = "proved: the collision geometry of 1 of 1 link lies inside its spheres";
+const std::string all_proved = "proved: the collision geometry of 1 of 1 link lies inside its spheres, as a solid";
 const std::string none_proved = "not proved: the geometry may extend beyond the spheres";
 
 SphereFile given_file(std::vector<LinkSpheres> links) {
@@ -126,7 +126,7 @@ TEST(WrittenModel, EachLinkHasItsOwnVerdict) {
     const std::vector<LinkSpheres> links{ball_of("b", 0.1), ball_of("a", 0.2)};
     const Said part = said(&two, links, links);
     EXPECT_THAT(part.statement, HasSubstr("proved in part: the collision geometry of 1 of 2 links lies inside their "
-                                          "spheres; not part of the proof: b (the proof does not hold)"));
+                                          "spheres, as a solid; not part of the proof: b (the proof does not hold)"));
     ASSERT_EQ(part.model.groups.size(), 2u);
     EXPECT_EQ(part.model.groups[0].link, "a") << "in the order of the robot";
     EXPECT_TRUE(part.model.groups[0].measures.certified);
@@ -145,7 +145,7 @@ TEST(WrittenModel, WhatTheFilesHoldIsProvedNotWhatWasGiven) {
     EXPECT_EQ(said(&one, {ball_of("a", 0.2)}, {ball_of("a", 0.3)}).times, 1u) << "the line stays";
     // Elements come back in other numbers, here in smaller ones.
     const std::vector<LinkSpheres> given{{"a", {{}, {box_of(0.11)}}}};
-    const std::string elements = "proved: the collision geometry of 1 of 1 link lies inside its elements";
+    const std::string elements = "proved: the collision geometry of 1 of 1 link lies inside its elements, as a solid";
     EXPECT_EQ(said(&one, given, given).statement, elements);
     const Said smaller = said(&one, given, {{"a", {{}, {box_of(0.09)}}}});
     EXPECT_THAT(smaller.statement, HasSubstr("not proved: the geometry may extend beyond the elements"));
@@ -176,7 +176,7 @@ TEST(WrittenModel, ElementsThatAnotherFileHoldsAreThoseThatWereGiven) {
     const Original one = cubes_of_links({"a"});
     const std::vector<LinkSpheres> given{{"a", {{}, {box_of(0.11)}}}};
     const Said said_of_given = said(&one, given, {ball_of("a", 0.01)}, {.elements_optional = true});
-    EXPECT_EQ(said_of_given.statement, "proved: the collision geometry of 1 of 1 link lies inside its elements");
+    EXPECT_EQ(said_of_given.statement, "proved: the collision geometry of 1 of 1 link lies inside its elements, as a solid");
     EXPECT_EQ(said_of_given.times, 1u);
     // Of a model of spheres alone the files hold all.
     EXPECT_EQ(said(&one, {ball_of("a", 0.15)}, {ball_of("a", 0.2)}, {.elements_optional = true}).statement, all_proved);
@@ -198,7 +198,7 @@ TEST(WrittenModel, SinglePrecisionIsProvedToo) {
     EXPECT_THAT(in_double, HasSubstr("of 2 of 2 links"));
     const Said single = said(&two, links, links, {.float32 = true});
     EXPECT_TRUE(lost);
-    EXPECT_THAT(single.statement, HasSubstr("of 1 of 2 links lies inside their spheres, also in single precision"));
+    EXPECT_THAT(single.statement, HasSubstr("of 1 of 2 links lies inside their spheres, as a solid, also in single precision"));
     EXPECT_FALSE(single.model.groups[0].measures.certified);
     EXPECT_TRUE(single.model.groups[1].measures.certified);
     // Rounded up it covers, but not as it stands.

@@ -154,8 +154,8 @@ std::vector<Element> plates_on(const Mesh& mesh, double depth, double wider) {
 }
 
 TEST(ElementCertificate, WhatLiesBeneathTheTrianglesOfARoundSideCounts) {
-    const auto round = test::primitive_solid(Element::cylinder(1, 0.1));
-    const auto flat = Solid::make(round->surface()); // the same triangles
+    const auto round = as_surface(*test::primitive_solid(Element::cylinder(1, 0.1)));
+    const auto flat = as_surface(*Solid::make(round->surface())); // the same triangles
     const std::vector<Element> thin = plates_on(round->surface(), 1e-6, 1.01), deep = plates_on(round->surface(), 0.01, 1.2);
     EXPECT_TRUE(covers(*flat, Elements(thin)));
     EXPECT_FALSE(covers(*round, Elements(thin)));

@@ -243,7 +243,7 @@ TEST(Ellipsoid, IsNotHeldByPlatesOnTheFacetsAroundIt) {
     }
     const Certificate refused = certify(*solid, Elements(plates));
     EXPECT_FALSE(refused.holds);
-    EXPECT_TRUE(certify(*Solid::make(facets), Elements(plates)).holds) << "the facets themselves";
+    EXPECT_TRUE(certify(*as_surface(*Solid::make(facets)), Elements(plates)).holds) << "the facets themselves";
 }
 
 } // namespace

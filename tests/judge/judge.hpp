@@ -29,10 +29,15 @@ std::optional<Objection> outside_of_balls(const Link& link, const std::vector<Ba
 /// which the triangles of a part are seen is above half of the full one.
 std::optional<Objection> outside_of_solid(const Link& link, const std::vector<Ball>& balls);
 
-/// The share of the solid that lies in no element, of about so many points spread evenly over the link's box; nothing
-/// if none of them is inside. Inside a mesh is where lines upwards leave it more often than they enter. It is a figure:
-/// the guarantee is of the surface.
-std::optional<Real> missing_volume(const Link& link, const std::vector<Body>& elements, std::size_t points);
+/// The volume of a solid that lies in no element.
+struct Missing {
+    Real share = 0;                    ///< of the solid
+    std::optional<Objection> farthest; ///< of the points that lie in none, beyond rounding
+};
+
+/// Of about so many points spread evenly over the link's box; nothing if none of them is inside. Inside a mesh is where
+/// lines upwards leave it more often than they enter.
+std::optional<Missing> missing_volume(const Link& link, const std::vector<Body>& elements, std::size_t points);
 
 /// Whether inside and outside are beyond doubt: every edge is shared by two triangles that run it in opposite
 /// directions, no triangle is there twice, and the connected pieces are wound alike.

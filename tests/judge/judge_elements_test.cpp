@@ -29,7 +29,7 @@ std::string box_mesh(double x, double y, double z, const std::string& more = "")
 class JudgeElements : public Judge {
 protected:
     void expect(int code, const std::string& model, const std::string& what) const {
-        const Outcome verdict = judge("robot.urdf " + model);
+        const Outcome verdict = judge("robot.urdf " + model + " --solid 20000");
         EXPECT_EQ(verdict.code, code) << what << '\n' << verdict.out << verdict.err;
     }
     /// That the elements hold the geometry, and not when they are a millionth smaller.
@@ -140,6 +140,11 @@ TEST_F(JudgeElements, MeasuresTheVolumeThatElementsLeave) {
                                       std::regex("link 'part': ([0-9.e-]+) of its volume lies outside all elements")))
             << verdict.out << verdict.err;
         EXPECT_NEAR(std::stod(found[1]), 0.125, 1e-3);
+        EXPECT_THAT(judge("robot.urdf model.urdf").out, Not(HasSubstr("by 0.2"))) << "the surface is held";
+        const Outcome solid = judge("robot.urdf model.urdf --solid 10000");
+        EXPECT_EQ(solid.code, 1);
+        EXPECT_THAT(solid.out, HasSubstr("of the geometry lies outside all elements by 0.2"));
+        EXPECT_THAT(solid.out, HasSubstr("1 of them as solids"));
     }
 }
 
@@ -327,7 +332,7 @@ TEST_P(JudgeSharedElements, HasNoObjection) {
         (shared_folder() / "robots/ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf").string();
     const Outcome made = foam(fmt::format("approximate '{}' -n 16 --with {} -o model.{}", robot, kind, ending));
     ASSERT_EQ(made.code, 0) << made.err;
-    const Outcome verdict = judge(fmt::format("'{}' model.{}", robot, ending));
+    const Outcome verdict = judge(fmt::format("'{}' model.{} --solid 200000", robot, ending));
     EXPECT_EQ(verdict.code, 0) << verdict.out << verdict.err;
 }
 

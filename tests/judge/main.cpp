@@ -1,6 +1,7 @@
-// judge ORIGINAL MODEL [outer|inner] [--without LINK]... [--volume N]: judges a written model by code that shares
+// judge ORIGINAL MODEL [outer|inner] [--without LINK]... [--volume N] [--solid N]: judges a written model by code that shares
 // nothing with foam. ORIGINAL: a URDF, or a mesh as STL, OBJ or COLLADA; MODEL: a URDF with the meshes of its hulls,
 // JSON, or CSV. --volume: prints the share of each link's solid that lies outside all elements, of about N points.
+// --solid: objects to such points of links whose meshes have an inside beyond doubt.
 // Exit codes: 0 no objection, 1 an objection, with link, point and distance, 2 not readable.
 #include "judge.hpp"
 
@@ -18,13 +19,13 @@ struct Arguments {
     std::string original, model;
     bool inner = false;
     std::set<std::string> without;
-    std::size_t volume_points = 0; ///< 0: not asked for
+    std::size_t volume_points = 0, solid_points = 0; ///< 0: not asked for
 };
 
 Arguments read_arguments(int count, char** words) {
     Arguments arguments;
     if (count < 3) {
-        throw std::runtime_error("usage: judge ORIGINAL MODEL [outer|inner] [--without LINK]... [--volume N]");
+        throw std::runtime_error("usage: judge ORIGINAL MODEL [outer|inner] [--without LINK]... [--volume N] [--solid N]");
     }
     arguments.original = words[1];
     arguments.model = words[2];
@@ -34,6 +35,8 @@ Arguments read_arguments(int count, char** words) {
             arguments.without.insert(words[++i]);
         } else if (word == "--volume" && i + 1 < count) {
             arguments.volume_points = std::stoul(words[++i]);
+        } else if (word == "--solid" && i + 1 < count) {
+            arguments.solid_points = std::stoul(words[++i]);
         } else if (word == "inner" || word == "outer") {
             arguments.inner = word == "inner";
         } else {
@@ -63,17 +66,17 @@ void print(const Link& link, const Objection& objection, bool inner) {
 
 void print_volume(const Link& link, const std::vector<Body>& elements, std::size_t points) {
     if (const auto missing = missing_volume(link, elements, points)) {
-        std::printf("link '%s': %.6Lg of its volume lies outside all elements\n", link.name.c_str(), *missing);
+        std::printf("link '%s': %.6Lg of its volume lies outside all elements\n", link.name.c_str(), missing->share);
     } else {
         std::printf("link '%s': no volume was found\n", link.name.c_str());
     }
 }
 
 struct Verdict {
-    std::size_t links = 0, elements = 0, objections = 0;
+    std::size_t links = 0, elements = 0, objections = 0, solids = 0;
 };
 
-void judge_outer(const Link& link, const std::vector<Body>& elements, std::size_t volume_points, Verdict& verdict) {
+void judge_outer(const Link& link, const std::vector<Body>& elements, const Arguments& arguments, Verdict& verdict) {
     verdict.elements += elements.size();
     if (elements.empty()) {
         std::printf("link '%s': it has no elements\n", link.name.c_str());
@@ -84,8 +87,16 @@ void judge_outer(const Link& link, const std::vector<Body>& elements, std::size_
         print(link, *objection, false);
         ++verdict.objections;
     }
-    if (volume_points > 0) {
-        print_volume(link, elements, volume_points);
+    if (arguments.volume_points > 0) {
+        print_volume(link, elements, arguments.volume_points);
+    }
+    if (arguments.solid_points > 0 && plain(link)) {
+        ++verdict.solids;
+        const auto missing = missing_volume(link, elements, arguments.solid_points);
+        if (missing && missing->farthest) {
+            print(link, *missing->farthest, false);
+            ++verdict.objections;
+        }
     }
 }
 
@@ -110,11 +121,14 @@ int judge_files(const Arguments& arguments) {
         if (arguments.inner) {
             judge_inner(link, of_link(link, balls), verdict);
         } else {
-            judge_outer(link, of_link(link, elements), arguments.volume_points, verdict);
+            judge_outer(link, of_link(link, elements), arguments, verdict);
         }
     }
     std::printf("%zu links, %zu elements, %zu objections (%s)\n", verdict.links, verdict.elements, verdict.objections,
                 arguments.inner ? "inner" : "outer");
+    if (arguments.solid_points > 0) {
+        std::printf("%zu of them as solids\n", verdict.solids);
+    }
     if (verdict.links == 0 || verdict.elements == 0) {
         throw std::runtime_error("nothing was judged");
     }

@@ -1,6 +1,7 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace judge {
@@ -95,12 +96,26 @@ private:
     std::vector<Body> bodies_;
 };
 
+/// How far a point is outside all elements; 0 in one.
+Real outside_by(const std::vector<Body>& elements, const Point& p) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const Body& element : elements) {
+        least = std::min(least, depth(element, p, least));
+        if (least <= 0) {
+            return 0;
+        }
+    }
+    return least;
+}
+
 } // namespace
 
-std::optional<Real> missing_volume(const Link& link, const std::vector<Body>& elements, std::size_t points) {
+std::optional<Missing> missing_volume(const Link& link, const std::vector<Body>& elements, std::size_t points) {
     const Bounds bounds = bounds_of(link);
     const auto steps = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(points))));
+    const Real rounding = 1e-12L * (bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y + bounds.high.z - bounds.low.z);
     std::size_t inside = 0, missing = 0;
+    Missing result;
     const auto share = [&](std::size_t i, std::size_t shift) {
         // Not the middles of the cells: lines through them would run along edges of many a mesh.
         const Real part = static_cast<Real>(shift + 1) * std::numbers::phi_v<Real>;
@@ -116,10 +131,11 @@ std::optional<Real> missing_volume(const Link& link, const std::vector<Body>& el
                 const Point p{x, y, bounds.low.z + share(k, i * steps + j) * (bounds.high.z - bounds.low.z)};
                 if (slice.holds(p.z)) {
                     ++inside;
-                    missing += std::none_of(elements.begin(), elements.end(),
-                                            [&](const Body& element) { return depth(element, p, 0) <= 0; })
-                                   ? 1
-                                   : 0;
+                    const Real distance = outside_by(elements, p);
+                    missing += distance > 0 ? 1 : 0;
+                    if (distance > rounding && (!result.farthest || distance > result.farthest->distance)) {
+                        result.farthest = Objection{p, distance};
+                    }
                 }
             }
         }
@@ -127,7 +143,8 @@ std::optional<Real> missing_volume(const Link& link, const std::vector<Body>& el
     if (inside == 0) {
         return std::nullopt;
     }
-    return static_cast<Real>(missing) / static_cast<Real>(inside);
+    result.share = static_cast<Real>(missing) / static_cast<Real>(inside);
+    return result;
 }
 
 } // namespace judge

@@ -29,6 +29,7 @@ INNER = ["geometry/rim_test", "geometry/inner_test"]
 ELEMENTS = ["evaluate/element_adversary_test", "evaluate/two_elements_adversary_test", "evaluate/element_shells_test",
             "evaluate/element_growth_ends_test", "geometry/element_certificate_test"]
 
+SOLIDS = ["geometry/solid_proof_test"]
 ENLARGED = ["geometry/element_enlarged_test", "geometry/grown_to_points_test", "geometry/element_test", "geometry/element_growth_test"]
 
 MATRIX = [f"self_collision/matrix{part}_test" for part in ("", "_samples", "_geometry")]
@@ -49,6 +50,12 @@ BELONG = {
     "geometry/src/solid/intervals.cpp": ["geometry/intervals_test"],
     "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
     "geometry/src/proof/bodies.cpp": ["geometry/bodies_test", "geometry/bodies_of_nothing_test", "geometry/near_bodies_test"] + ELEMENTS,
+    "geometry/src/proof/cavities.cpp": SOLIDS,
+    "geometry/src/proof/surface_pieces.cpp": SOLIDS,
+    "geometry/src/proof/walls.cpp": SOLIDS,
+    "geometry/src/proof/ball_tops.cpp": SOLIDS,
+    "geometry/src/proof/deepest.cpp": SOLIDS,
+    "geometry/src/proof/filling.cpp": SOLIDS + GROWN,
     "geometry/src/proof/body_cuts.cpp": ["geometry/body_cuts_test", "geometry/triangles_across_test"] + ELEMENTS,
     "geometry/src/proof/element_growth.cpp": ["geometry/element_growth_test"] + ELEMENTS,
     "geometry/src/convex/polytope.cpp": ["geometry/faces_moved_test", "geometry/grown_to_points_test", "geometry/element_grown_test", "geometry/element_test"] + ELEMENTS,

@@ -203,14 +203,17 @@ def test_convex_elements_cover_the_mesh():
     (element,) = cover.elements
     assert element["kind"] == "box" and sorted(element["size"]) == pytest.approx([1, 2, 3], rel=1e-6)
     assert cover.certified is True and cover.excess < 1e-3 and cover.volume == pytest.approx(6, rel=1e-3)
-    assert repr(cover) == "<foam.Cover: 1 box, surface certified>"
+    assert repr(cover) == "<foam.Cover: 1 box, certified>"
     assert cover.missing == 0
 
 
 def test_boxes_on_the_walls_of_a_cylinder_leave_volume_out():
-    cover = foam.approximate(cylinder(), 16, "box", effort="fast")
+    assert foam.cover(cylinder(), 16, "box", effort="fast").missing == 0
+    with pytest.raises(foam.UsageError, match="unknown covers 'all'"):
+        foam.cover(cylinder(), 16, "box", effort="fast", covers="all")
+    cover = foam.cover(cylinder(), 16, "box", effort="fast", covers="surface")
     assert cover.certified is True and 0.2 < cover.missing < 1
-    assert repr(cover).endswith(", surface certified>")
+    assert repr(cover).endswith(", certified>")
     again = pickle.loads(pickle.dumps(cover))
     assert (again.missing, again.excess) == (cover.missing, cover.excess)
 

@@ -30,7 +30,7 @@ TEST_F(ReportOfRun, SaysWhatTheRunSays) {
     const std::string html = report_of(recipe(chain));
     EXPECT_THAT(html, AllOf(HasSubstr("<h1>arm</h1>"),
                             HasSubstr("<p class=\"verdict yes\">Proved: the collision geometry of 2 of 2 links "
-                                      "lies inside their spheres.</p>"),
+                                      "lies inside their spheres, 1 as a solid, 1 as a surface.\nAs a surface: "),
                             HasSubstr("<dt>Spheres</dt><dd>" + std::to_string(result.total.spheres) +
                                       "<small>budget 9</small>"),
                             HasSubstr("<tr data-link=\"tip\"><th scope=\"row\">tip</th>"),

@@ -166,7 +166,7 @@ TEST_F(RunLinks, CoversTheVisualGeometryOnRequest) {
     EXPECT_EQ(result.proved.with_geometry, 2u);
     EXPECT_EQ(result.proved.collision_only, std::vector<std::string>{"bare"});
     EXPECT_EQ(result.proved.visual_only, std::vector<std::string>{});
-    EXPECT_EQ(verdict_of(result.proved), "Proved: the visual geometry of 2 of 2 links lies inside their spheres.\n");
+    EXPECT_EQ(verdict_of(result.proved), "Proved: the visual geometry of 2 of 2 links lies inside their spheres, as solids.\n");
     EXPECT_EQ(omissions_of(result.proved), "1 link has collision geometry only and no spheres: bare.\n");
     double top = 0;
     for (const Sphere& sphere : spheres_of_link(result, "base")) {
@@ -182,7 +182,7 @@ TEST_F(RunLinks, CoversBothOnRequest) {
     const RunResult result = result_of(std::string(grid_12) + "cover: both\n");
     EXPECT_EQ(result.proved.proved, 3u);
     EXPECT_EQ(verdict_of(result.proved),
-              "Proved: the collision and visual geometry of 3 of 3 links lies inside their spheres.\n");
+              "Proved: the collision and visual geometry of 3 of 3 links lies inside their spheres, as solids.\n");
     EXPECT_THAT(manifest()["proof"]["geometry"], "both");
 }
 

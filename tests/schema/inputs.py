@@ -12,6 +12,10 @@ ROBOT = """<robot name="arm">
   <joint name="mount" type="fixed"><parent link="hand"/><child link="eye"/></joint>
 </robot>
 """
+# Six boxes on the faces of the box, a centimetre thick: (position, size).
+WALLS = [([x, y, z], [a, b, c]) for x, y, z, a, b, c in (
+    (0, 0.05, 0.15, 0.01, 0.11, 0.31), (0.2, 0.05, 0.15, 0.01, 0.11, 0.31), (0.1, 0, 0.15, 0.21, 0.01, 0.31),
+    (0.1, 0.1, 0.15, 0.21, 0.01, 0.31), (0.1, 0.05, 0, 0.21, 0.11, 0.01), (0.1, 0.05, 0.3, 0.21, 0.11, 0.01))]
 BOX = """v 0 0 0
 v 0.2 0 0
 v 0 0.1 0
@@ -49,6 +53,8 @@ FILES = {
         "links": {"hand": {"spheres": [[0, 0, 0, 0.1]], "groups": [], "elements": [
             {"kind": "capsule", "position": [0, 0, 0], "length": 0.1, "radius": 0.1},
             {"kind": "cylinder", "position": [0, 0, 0], "length": 0.1, "radius": 0.1}]}}}""",
+    "hollow.json": """{"foam_spheres": 2, "units": "m", "frame": "link", "links": {"box": {"spheres": [], "elements": [""" + ", ".join(
+        f'{{"kind": "box", "position": {at}, "size": {size}}}' for at, size in WALLS) + "]}}}",
     "one.csv": "link,x,y,z,radius\nsheet,0,0,0,2\n",
     "theirs.srdf": "<robot name='arm'><disable_collisions link1='base' link2='upper' reason='Adjacent'/>"
                    "<disable_collisions link1='base' link2='hand' reason='Never'/>"
@@ -76,6 +82,7 @@ COMMANDS = [
     (0, "evaluate robot.urdf model.csv --poses 200 --json"), (0, "evaluate robot.urdf mixed.json --json"), (0, "evaluate sheet.obj one.csv --json"),
     (0, "compare robot.urdf model.csv thin.csv elements.json --json"),
     (0, "certify robot.urdf model.csv --link hand --json"), (1, "certify robot.urdf thin.csv --json"),
+    (1, "certify box.obj hollow.json --json"),
     (1, "certify robot.urdf model.csv --guarantee inner --json"),
     (0, "self-collision robot.urdf --samples 200 --spheres 2 --proof-boxes 50 --against theirs.srdf --json"),
     (0, "self-collision robot.urdf --model elements.json --samples 0 --pose elbow=1 --json"),

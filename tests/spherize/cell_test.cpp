@@ -82,7 +82,7 @@ TEST(Cell, BallsCoverSurfaceAndInterior) {
 TEST(Cell, BallsAreProvedWithNextToNoGrowth) {
     for (const auto& [name, make] : sample::solids()) {
         SCOPED_TRACE(name);
-        const auto solid = make();
+        const auto solid = as_surface(*make()); // cells of the surface leave the middle empty
         const std::vector<Sphere> spheres =
             balls(Cell::whole(*solid, principal_axes(*solid), Cell::Content::surface).divided({3, 2, 2}));
         const std::vector<Sphere> grown = grown_to_cover(*solid, spheres);

@@ -224,7 +224,7 @@ TEST_F(SessionTest, ARecipeOfUncoveredLinksIsRefused) {
 TEST_F(SessionTest, SavesFormatsThatReadBackTheSame) {
     begin({"arm.urdf", "arm.csv"});
     const Saved urdf = session->save(0, "urdf", "a.urdf", false);
-    EXPECT_EQ(urdf.statement, "proved: the collision geometry of 4 of 4 links lies inside their spheres");
+    EXPECT_EQ(urdf.statement, "proved: the collision geometry of 4 of 4 links lies inside their spheres, as solids");
     EXPECT_EQ(spheres_in("saved/a.urdf").at("upper"), spheres(upper));
     session->save(0, "csv", "a.csv", false);
     const Subject again = subject(with({"arm.urdf", "saved/a.csv"}));

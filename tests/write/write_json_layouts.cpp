@@ -55,9 +55,13 @@ TEST(WriteJson, SaysWhatTheVerdictSays) {
     EXPECT_EQ(written(model, "links")["certified"], false) << "nothing is known of it";
     EXPECT_FALSE(written(model, "links").contains("covers"));
     model.verdict.with_geometry = model.verdict.proved = 2;
+    EXPECT_EQ(written(model, "links")["covers"], "solid");
+    EXPECT_FALSE(written(model, "links").contains("missing"));
     model.verdict.missing = 0.25;
+    model.verdict.as_surface = {{"first, \"link\" & <more>", "its mesh is open"}};
     EXPECT_EQ(written(model, "links")["certified"], true);
     EXPECT_EQ(written(model, "links")["covers"], "surface");
+    EXPECT_EQ(written(model, "links")["surface_links"], json::array({"first, \"link\" & <more>"}));
     EXPECT_EQ(written(model, "links")["missing"], 0.25);
     model.verdict.missing = NAN;
     EXPECT_TRUE(written(model, "links")["missing"].is_null()) << "there was no time to measure it";

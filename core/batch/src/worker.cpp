@@ -142,7 +142,7 @@ Json result_of(const RunResult& run, const std::string& real, const BatchItem& i
                 {"spheres", spheres_of(run.model)},
                 {"certified", run.certified},
                 {"excess", total.excess}, // JSON has no infinity: null
-                {"missing", total.missing}, // above 0 the surface alone is proved
+                {"missing", total.missing},
                 {"gap_m", total.gap},
                 {"protrusion_max_m", total.protrusion_max},
                 {"protrusion_mean_m", total.protrusion_mean}};

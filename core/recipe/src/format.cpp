@@ -41,7 +41,7 @@ bool is_optional(const std::string& key) {
                                            "skip",    "min_spheres",  "max_protrusion", "weight",   "max_spheres",
                                            "isolate", "memory_limit", "time_limit",     "reach",    "cover",
                                            "pad",     "hollow",       "share",          "collision", "elements",
-                                           "cost"};
+                                           "cost",    "covers"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 

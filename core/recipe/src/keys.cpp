@@ -97,6 +97,13 @@ Parameter inside_of_hollow(const char* of) {
             of));
 }
 
+Parameter held_by_covers(const char* of) {
+    return Parameter::choice("covers", {"solid", "surface"}, "solid")
+        .doc(fmt::format("What the elements of {} hold, and what is proved: solid: all of it, with its inside, but of open "
+                         "meshes the surface; surface: the surface alone. Absent: solid.",
+                         of));
+}
+
 Parameter padding(const char* of) {
     return Parameter::number("pad", 0).at_least(0).unit("m").doc(
         fmt::format("Length that is added to all radii of {}, after the proof; absent: 0.", of));
@@ -174,6 +181,7 @@ const std::vector<KeyOf<Recipe>>& top_level_keys() {
                &Recipe::cover),
         held(padding("the robot"), &Recipe::pad),
         choice(inside_of_hollow("the robot"), &Recipe::hollow),
+        choice(held_by_covers("the robot"), &Recipe::covers),
         KeyOf<Recipe>{
             Parameter::choice("numbers", {"float64", "float32"}, "float64")
                 .doc("The numbers on which the guarantee is proved: float64: as written; float32: also as a program "
@@ -325,6 +333,10 @@ const std::vector<LinkKey>& link_keys() {
         {choice(inside_of_hollow("these links, instead of the robot's"), &LinkOverride::hollow),
          [](const LinkOverride& link, Recipe::LinkRecipe& result) {
              result.hollow = link.hollow.value_or(result.hollow);
+         }},
+        {choice(held_by_covers("these links, instead of the robot's"), &LinkOverride::covers),
+         [](const LinkOverride& link, Recipe::LinkRecipe& result) {
+             result.covers = link.covers.value_or(result.covers);
          }},
     };
     return keys;

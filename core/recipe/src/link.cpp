@@ -120,6 +120,7 @@ Recipe::LinkRecipe Recipe::for_link(const std::string& link) const {
     result.max_protrusion = budget_max_protrusion;
     result.pad = pad.value_or(0);
     result.hollow = hollow.value_or(Hollow::keep);
+    result.covers = covers.value_or(Covers::solid);
     for (const LinkOverride& change : links) {
         // A glob also matches its own text: "[" cannot be written otherwise.
         if (change.glob != link && !glob_matches(change.glob, link)) {

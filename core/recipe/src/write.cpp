@@ -52,6 +52,7 @@ public:
         write_key("cover");
         write_key("pad");
         write_key("hollow");
+        write_key("covers");
         write_key("numbers");
         write_self_collision();
         write_links();

@@ -39,6 +39,9 @@ static ProvedLinks proved_links(const Report& report) {
     links.missing = proof["missing"].is_null() ? std::numeric_limits<double>::quiet_NaN() : proof["missing"].get<double>();
     links.elements = has_other_elements(report) ? "elements" : "spheres";
     links.float32 = report.manifest["settings"].value("numbers", "") == "float32";
+    for (const Json& link : proof["as_surface"]) {
+        links.as_surface.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
+    }
     for (const Json& link : proof["left_out"]) {
         links.left_out.push_back({link["link"].get<std::string>(), link["reason"].get<std::string>()});
     }

@@ -52,24 +52,25 @@ std::string clause_of(const ProvedLinks& links) {
     const std::string count = links_text(links.proved, links.with_geometry);
     const char* whose = links.with_geometry == 1 ? "its" : "their";
     const char* precision = links.float32 ? ", also in single precision" : "";
-    return outer ? fmt::format("{}: the {} of {} lies inside {} {}{}", proved, covered_part(links), count, whose,
-                               links.elements, precision)
+    return outer ? fmt::format("{}: the {} of {} lies inside {} {}, {}{}", proved, to_string(links.geometry), count,
+                               whose, links.elements, as_what(links), precision)
                  : fmt::format("{}: the {} of {} lie inside {} {}{}", proved, links.elements, count, whose,
                                to_string(links.geometry), precision);
 }
 
-/// Returns "not part of the proof: a (skip in the recipe), b, c (...)", a reason once for neighbours that share it; empty
-/// if no link is left out.
-std::string left_out_text(const ProvedLinks& links) {
+/// Returns "what: a (skip in the recipe), b, c (...)", a reason once for neighbours that share it; empty for no links.
+std::string with_reasons(const std::vector<ProvedLinks::LeftOut>& links, const char* what) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < links.left_out.size(); ++i) {
-        const ProvedLinks::LeftOut& link = links.left_out[i];
-        const bool last = i + 1 == links.left_out.size() || links.left_out[i + 1].reason != link.reason;
-        names.push_back(shown(link.link) + (last ? fmt::format(" ({})", shown(link.reason)) : ""));
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        const bool last = i + 1 == links.size() || links[i + 1].reason != links[i].reason;
+        names.push_back(shown(links[i].link) + (last ? fmt::format(" ({})", shown(links[i].reason)) : ""));
     }
-    return names.empty() ? ""
-                         : fmt::format("{}: {}", links.guarantee == Guarantee::fitted ? "left out" : "not part of the proof",
-                                       fmt::join(names, ", "));
+    return names.empty() ? "" : fmt::format("{}: {}", what, fmt::join(names, ", "));
+}
+
+std::string left_out_text(const ProvedLinks& links) {
+    return with_reasons(links.left_out,
+                        links.guarantee == Guarantee::fitted ? "left out" : "not part of the proof");
 }
 
 } // namespace
@@ -84,12 +85,35 @@ std::vector<std::string> visual_only_links(const Robot& robot) {
     return names;
 }
 
-std::string covered_part(const ProvedLinks& links) {
-    return fmt::format("{}{}", links.surface_alone() ? "surface of the " : "", to_string(links.geometry));
+std::string why_surface_alone(const Solid& solid) {
+    if (solid.covers() == Covers::solid) {
+        return "";
+    }
+    const std::vector<Solid::Part>& parts = solid.parts();
+    if (std::any_of(parts.begin(), parts.end(), [](const Solid::Part& p) { return p.covers == Covers::surface; })) {
+        return "covers: surface";
+    }
+    return parts.size() == 1 ? "its mesh is open" : "a mesh of it is open";
+}
+
+std::string as_what(const ProvedLinks& links) {
+    const std::size_t surfaces = links.as_surface.size(), solids = links.proved - std::min(links.proved, surfaces);
+    const auto some = [](std::size_t count, const char* one, const char* many) {
+        return count == 1 ? fmt::format("as a {}", one) : fmt::format("as {}", many);
+    };
+    if (surfaces == 0) {
+        return some(solids, "solid", "solids");
+    }
+    const std::string rest = some(surfaces, "surface", "surfaces");
+    return solids == 0 ? rest : fmt::format("{} {}, {} {}", solids, some(solids, "solid", "solids"), surfaces, rest);
+}
+
+std::string surfaces_text(const ProvedLinks& links) {
+    return with_reasons(links.as_surface, "as a surface");
 }
 
 std::string missing_text(const ProvedLinks& links) {
-    if (!links.surface_alone()) {
+    if (links.guarantee != Guarantee::outer || links.missing == 0) {
         return "";
     }
     if (!std::isfinite(links.missing)) {
@@ -106,14 +130,17 @@ std::string verdict_of(const ProvedLinks& links) {
     if (links.guarantee == Guarantee::fitted) {
         return with_capital(nothing_is_proved) + ".\n";
     }
-    const std::string missing = missing_text(links);
-    return with_capital(clause_of(links)) + ".\n" + (missing.empty() ? "" : with_capital(missing) + ".\n");
+    std::string text = with_capital(clause_of(links)) + ".\n";
+    for (const std::string& more : {surfaces_text(links), missing_text(links)}) {
+        text += more.empty() ? "" : with_capital(more) + ".\n";
+    }
+    return text;
 }
 
 std::string statement_of(const ProvedLinks& links) {
     std::string text =
         links.guarantee == Guarantee::fitted ? nothing_is_proved : clause_of(links);
-    for (const std::string& more : {missing_text(links), left_out_text(links)}) {
+    for (const std::string& more : {surfaces_text(links), missing_text(links), left_out_text(links)}) {
         text += more.empty() ? "" : "; " + more;
     }
     return text;

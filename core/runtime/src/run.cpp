@@ -28,10 +28,18 @@ Measures without_filling(const LinkWork& link, const FinishedModel& finished) {
     for (const FinishedLink& one : finished.links) {
         if (one.work == &link && link.report.filled > 0) {
             measures.volume = one.solid->volume();
-            measures.missing_volume = missing_volume(*one.solid, one.elements);
+            const bool filled = measures.certified && one.solid->covers() == Covers::solid;
+            measures.missing_volume = filled ? 0 : missing_volume(*one.solid, one.elements);
         }
     }
     return measures;
+}
+
+/// Returns why the surface of a link alone is covered; empty if all of it is.
+std::string why_surface_alone(const LinkWork& link, const FinishedModel& finished) {
+    const auto found = std::find_if(finished.links.begin(), finished.links.end(),
+                                    [&](const FinishedLink& one) { return one.work == &link; });
+    return found == finished.links.end() ? "" : foam::why_surface_alone(*found->solid);
 }
 
 /// Returns the verdict: the links for which the guarantee is proved. A link without elements is left out. Every file
@@ -58,6 +66,10 @@ ProvedLinks proved_links(const Workspace& workspace, const Input& input, const s
         proved.elements = spheres_alone(report.kinds) ? proved.elements : "elements";
         if (report.measures.certified) {
             ++proved.proved;
+            if (const std::string why = why_surface_alone(link, finished);
+                !why.empty() && proved.guarantee == Guarantee::outer) {
+                proved.as_surface.push_back({report.link, why});
+            }
             measured.push_back(without_filling(link, finished));
             known = known && !(link.bounds_only && report.measures.spheres > 1); // one convex element leaves nothing out
         } else if (proved.guarantee == Guarantee::fitted) {

@@ -75,6 +75,6 @@ class LinkPanel {
 
 /// "covered, excess 0.42, protrusion 12.3 mm".
 const verdictText = ({ holds, gap, excess, protrusion, missing }) => [
-  holds ? `${missing > 0 ? "its surface is " : ""}proved to be covered` : gap === null ? "no spheres" : `not covered: the link extends beyond them by ${millimetres(gap)}`,
+  holds ? `${missing > 0 ? "its surface is " : ""}proved to be covered` : gap === null ? "no spheres" : `not covered: a point of the link is ${millimetres(gap)} from them`,
   excess === null ? "" : `excess ${excess.toFixed(2)}`, missing > 0 ? `missing ${missing.toPrecision(2)}` : "", protrusion === null ? "" : `protrusion ${millimetres(protrusion)}`]
   .filter((part) => part).join(", ");

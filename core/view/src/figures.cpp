@@ -25,7 +25,7 @@ LinkVerdict verdict_of(const Solid& solid, const std::vector<Sphere>& spheres) {
     const Measures measures = measure(solid, spheres, quick);
     return {.holds = certificate.holds,
             .witness = certificate.witness,
-            .gap = measures.gap,
+            .gap = certificate.cavity ? certificate.growth : measures.gap,
             .excess = measures.excess,
             .protrusion = measures.protrusion_max,
             .missing = measures.missing};

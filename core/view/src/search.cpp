@@ -41,14 +41,23 @@ std::vector<Sphere> pinned_in(const LinkState& link) {
     return pinned;
 }
 
+/// Returns the kept spheres and others that cover `rest`.
+static std::vector<Sphere> with_others(const Solid& solid, const Solid& rest, std::size_t others,
+                                       const std::vector<Sphere>& kept, const CoverOptions& options) {
+    std::vector<Sphere> all = kept;
+    const SphereTree beside = beside_kept(solid, flat_tree(finished(rest, spherize(rest, others, options).spheres)));
+    all.insert(all.end(), beside.finest().begin(), beside.finest().end());
+    return all;
+}
+
 std::vector<Sphere> searched_link(const Solid& solid, std::size_t count, const std::vector<Sphere>& kept,
                                   double seconds, const std::atomic<bool>& cancel) {
     const CoverOptions options = within(seconds, cancel);
     if (kept.empty()) {
         return finished(solid, spherize(solid, count, options).spheres);
     }
-    Mesh left = certify(solid, kept).holds ? Mesh{} : geometry::left_uncovered(solid.surface(), kept);
-    if (left.triangles.empty()) {
+    const Certificate certificate = certify(solid, kept);
+    if (certificate.holds) {
         return kept;
     }
     if (kept.size() >= count) {
@@ -57,12 +66,15 @@ std::vector<Sphere> searched_link(const Solid& solid, std::size_t count, const s
                                 "spheres, or pin fewer",
                                 kept.size(), kept.size() == 1 ? "" : "s", kept.size() == 1 ? "s" : ""));
     }
-    const auto rest = Solid::make(std::move(left));
-    const SphereTree others = flat_tree(finished(*rest, spherize(*rest, count - kept.size(), options).spheres));
-    std::vector<Sphere> all = kept;
-    const SphereTree beside = beside_kept(solid, others);
-    all.insert(all.end(), beside.finest().begin(), beside.finest().end());
-    return all;
+    Mesh left = certificate.cavity ? Mesh{} : geometry::left_uncovered(solid.surface(), kept);
+    const std::size_t others = count - kept.size();
+    if (!left.triangles.empty()) {
+        std::vector<Sphere> all = with_others(solid, *Solid::make(std::move(left)), others, kept, options);
+        if (covers(solid, all)) {
+            return all;
+        }
+    }
+    return with_others(solid, solid, others, kept, options); // what leaves a cavity covers all anew
 }
 
 std::vector<Sphere> closed_link(const Solid& solid, const std::vector<Sphere>& spheres) {

@@ -2,6 +2,7 @@
 #include "convex/element_surface.hpp"
 #include "measure/element_set.hpp"
 #include "measure/exposure.hpp"
+#include "measure/farthest_exposed.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
@@ -24,6 +25,13 @@ public:
         }
     }
 
+    std::vector<Element> elements() const {
+        std::vector<Element> result;
+        for (const std::uint32_t k : near_) {
+            result.push_back(set_[k]);
+        }
+        return result;
+    }
     /// Returns whether the point is on the surface of the union: no element is just beyond it. Where two elements have
     /// a part of their surface in common, it is that of the first.
     bool exposed(const Vec3& p, const Vec3& normal) const {
@@ -102,6 +110,16 @@ double covered_share(const Solid& solid, const ElementSet& set, const MeasureOpt
 Protrusion protrusion(const Solid& solid, const ElementSet& set, std::size_t samples) {
     std::vector<ExposedSums> parts(set.size());
     parallel_for(set.size(), [&](std::size_t i) { parts[i] = exposed_of(solid, set, i, samples); });
+    double known = 0;
+    for (const ExposedSums& part : parts) {
+        known = std::max(known, part.farthest);
+    }
+    parallel_for(set.size(), [&](std::size_t i) {
+        const OthersAround near(set, i);
+        const double found = farthest_exposed(solid, set[i], near.elements(), known,
+                                              [&](const Vec3& p, const Vec3& normal) { return near.exposed(p, normal); });
+        parts[i].farthest = std::max(parts[i].farthest, found);
+    });
     return protrusion_of(parts);
 }
 

@@ -63,9 +63,9 @@ Moments of_parts(const Solid& solid, const Vec3& reference) {
     const Mesh& surface = solid.surface();
     CancellationCounter asking(1024);
     for (std::size_t part = 0; part < solid.parts().size(); ++part) {
-        const auto& [mesh, primitive, pose] = solid.parts()[part];
+        const std::optional<Element>& primitive = solid.parts()[part].primitive;
         if (const auto squares = primitive ? kind_of(*primitive).second_moments(*primitive) : std::nullopt) {
-            moments.add(of_primitive(*primitive, *squares, pose, reference));
+            moments.add(of_primitive(*primitive, *squares, solid.parts()[part].pose, reference));
             continue;
         }
         for (std::uint32_t i = solid.part_offsets()[part]; i < solid.part_offsets()[part + 1]; ++i) {

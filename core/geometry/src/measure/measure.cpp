@@ -48,8 +48,10 @@ static Measures measured(const Solid& solid, const Set& set, const Certificate& 
     result.volume = solid.volume();
     result.volume_error = solid.volume_error();
     result.certified = certificate.holds;
-    result.gap = certificate.holds ? 0 : certificate.growth;
-    result.covered = certificate.holds ? 1 : geometry::covered_share(solid, set, options);
+    result.covers = solid.covers();
+    const bool surface_held = certificate.holds || certificate.cavity;
+    result.gap = surface_held ? 0 : certificate.growth;
+    result.covered = surface_held ? 1 : geometry::covered_share(solid, set, options);
     const geometry::Difference difference = geometry::volume_difference(solid, set, certificate.holds, options);
     result.excess_volume = difference.excess.value;
     result.excess_volume_error = difference.excess.error;
@@ -87,8 +89,10 @@ Measures bounds_of_measures(const Solid& solid, const Elements& elements) {
     result.spheres = elements.size();
     result.area = solid.area();
     result.certified = certificate.holds;
-    result.gap = certificate.holds ? 0 : certificate.growth;
-    result.covered = certificate.holds ? 1 : 0;
+    result.covers = solid.covers();
+    const bool surface_held = certificate.holds || certificate.cavity;
+    result.gap = surface_held ? 0 : certificate.growth;
+    result.covered = surface_held ? 1 : 0;
     for (const Sphere& s : elements.spheres()) {
         box.add(Box::about(s.center, {s.radius, s.radius, s.radius}));
         result.excess_volume += 4 * std::numbers::pi / 3 * s.radius * s.radius * s.radius;
@@ -104,8 +108,9 @@ Measures bounds_of_measures(const Solid& solid, const Elements& elements) {
     }
     result.protrusion_max = result.protrusion_mean = box.diagonal();
     set_ratios(result);
-    const bool convex = result.certified && result.spheres == 1; // nothing of the inside is left out
-    result.missing = convex ? 0 : std::numeric_limits<double>::quiet_NaN();
+    // A convex element leaves nothing of the inside out.
+    const bool filled = result.certified && (result.spheres == 1 || result.covers == Covers::solid);
+    result.missing = filled ? 0 : std::numeric_limits<double>::quiet_NaN();
     return result;
 }
 
@@ -123,6 +128,7 @@ Measures total(std::span<const Measures> links) {
         sum.gap = std::max(sum.gap, m.gap);
         sum.protrusion_max = std::max(sum.protrusion_max, m.protrusion_max);
         sum.certified = sum.certified && m.certified;
+        sum.covers = m.covers == Covers::surface ? m.covers : sum.covers;
         covered += m.covered * m.area;
         protrusion += m.protrusion_mean * m.exposed_area;
         excess_variance += m.excess_volume_error * m.excess_volume_error;

@@ -20,6 +20,7 @@ public:
            double caution = 1);
 
     std::size_t size() const { return bodies_.size(); }
+    bool holds_something(std::uint32_t i) const { return bodies_[i].sound; }
     /// Returns the box around body `i`; empty if it holds nothing.
     const Box& bounds(std::uint32_t i) const { return bodies_[i].bounds; }
     bool holds(std::uint32_t i, const Vec3& p) const { return bodies_[i].sound && holds(bodies_[i], p, 0); }

@@ -2,6 +2,7 @@
 #include "convex/kind.hpp"
 #include "proof/body_cuts.hpp"
 #include "proof/element_proof.hpp"
+#include "proof/filling.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
@@ -223,7 +224,7 @@ void grow_to_cover(const Solid& solid, std::vector<Element>& elements) {
     for (const double share : {0.0, 1e-9, 1e-7, 1e-5, 1e-3}) {
         grow_all(elements, share * solid.bounds().diagonal());
         close_gaps(solid, elements);
-        if (covers(solid, elements)) {
+        if (certify_surface(solid, elements).holds) {
             return;
         }
     }
@@ -240,18 +241,18 @@ Elements grown_to_cover(const Solid& solid, Elements given) {
     if (std::none_of(elements.begin(), elements.end(), is_valid)) {
         throw Error(ErrorCode::geometry, "there is no valid element that could grow to cover the solid");
     }
-    if (covers(solid, given)) {
-        return given;
+    if (certify_surface(solid, given).holds) {
+        return grown_to_fill(solid, std::move(given));
     }
     const Bodies bodies(given, solid.bounds().center(), solid.bounds().diagonal(), growth_cuts);
     for (std::uint32_t i = 0; i < elements.size(); ++i) { // rounding may be all that is missing
         elements[i] = is_valid(elements[i]) ? grown(elements[i], room_in_slacks * bodies.slack(i)) : elements[i];
     }
-    if (!covers(solid, elements)) {
+    if (!certify_surface(solid, elements).holds) {
         grow_around_round_parts(solid, elements);
         grow_to_cover(solid, elements);
     }
-    return elements;
+    return grown_to_fill(solid, elements);
 }
 
 } // namespace foam::geometry

@@ -269,24 +269,49 @@ void OpenTriangles::find_contained_parts(const Solid& solid, const Elements& ele
     }
 }
 
-CoverProof prove_cover(const Solid& solid, const Elements& elements, int depth) {
-    if (elements.are_spheres()) {
-        return prove_cover_by_spheres(solid, elements.spheres(), depth);
+/// Adds the proof that the elements leave no cavity to that of the surface.
+static void prove_inside(const Solid& solid, const Elements& elements, Certificate& certificate) {
+    certificate.covers = solid.covers();
+    if (!certificate.holds) {
+        return;
     }
-    return {.certificate = ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run(),
-            .triangles = solid.surface().triangles.size()};
+    const SolidProof inside = prove_solid(solid, elements);
+    if (!inside.holds) {
+        certificate.holds = false;
+        certificate.cavity = true;
+        certificate.growth = inside.depth;
+        certificate.witness = inside.witness;
+    }
+}
+
+CoverProof prove_cover(const Solid& solid, const Elements& elements, int depth) {
+    CoverProof proof;
+    if (elements.are_spheres()) {
+        proof = prove_cover_by_spheres(solid, elements.spheres(), depth);
+    } else {
+        proof = {.certificate = ElementProof(solid, elements, std::clamp(depth, 0, 60), true).run(),
+                 .triangles = solid.surface().triangles.size()};
+    }
+    prove_inside(solid, elements, proof.certificate);
+    return proof;
 }
 
 Certificate certify(const Solid& solid, const Elements& elements, int depth) {
     return prove_cover(solid, elements, depth).certificate;
 }
 
-Certificate certify_to_first_gap(const Solid& solid, const Elements& elements) {
-    if (elements.are_spheres()) {
-        return certify(solid, elements);
-    }
+Certificate certify_surface(const Solid& solid, const Elements& elements) {
     constexpr int depth = 40;
+    if (elements.are_spheres()) {
+        return prove_cover_by_spheres(solid, elements.spheres(), depth).certificate;
+    }
     return ElementProof(solid, elements, depth, false).run();
+}
+
+Certificate certify_to_first_gap(const Solid& solid, const Elements& elements) {
+    Certificate certificate = certify_surface(solid, elements);
+    prove_inside(solid, elements, certificate);
+    return certificate;
 }
 
 bool covers(const Solid& solid, const Elements& elements) {

@@ -3,9 +3,11 @@
 
 #include "proof/crease_cuts.hpp"
 #include "measure/exposure.hpp"
+#include "proof/filling.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
+#include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <algorithm>
@@ -272,7 +274,7 @@ void check_growable(const std::vector<Sphere>& spheres) {
 /// Closes gaps due to rounding, the only possible reason for a remaining gap.
 void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres) {
     for (int round = 0; round < 3; ++round) {
-        if (certify(solid, spheres).holds) {
+        if (certify_surface(solid, spheres).holds) {
             return;
         }
         geometry::grow(solid, spheres, geometry::most_looks(solid));
@@ -280,14 +282,14 @@ void close_what_is_left(const Solid& solid, std::vector<Sphere>& spheres) {
     // Balls that meet just at the surface can require more pieces than a proof may take. A slightly larger radius lets
     // it succeed.
     for (const double share : {1e-9, 1e-6, 1e-3}) {
-        if (certify(solid, spheres).holds) {
+        if (certify_surface(solid, spheres).holds) {
             return;
         }
         for (Sphere& s : spheres) {
             s.radius *= 1 + share;
         }
     }
-    if (!certify(solid, spheres).holds) {
+    if (!certify_surface(solid, spheres).holds) {
         throw Error(ErrorCode::internal, "growth left a part of the surface uncovered");
     }
 }
@@ -300,12 +302,12 @@ std::vector<Sphere> grown_to_cover(const Solid& solid, std::vector<Sphere> spher
     for (const Sphere& s : spheres) {
         floor.push_back(s.radius);
     }
-    if (!certify(solid, spheres).holds) {
+    if (!certify_surface(solid, spheres).holds) {
         geometry::grow(solid, spheres, geometry::most_looks(solid));
         geometry::shrink(solid, spheres, floor);
         close_what_is_left(solid, spheres);
     }
-    return spheres;
+    return grown_to_fill(solid, std::move(spheres)).spheres();
 }
 
 } // namespace foam::geometry

@@ -170,7 +170,7 @@ void add_part(geometry::SolidData& data, SurfaceOfParts& surface, std::size_t in
         primitive.emplace(*part.primitive, part.pose);
     }
     data.queries.push_back({std::make_unique<const geometry::QueriedMesh>(std::move(given), std::move(reading)),
-                            std::move(primitive), box});
+                            std::move(primitive), box, part.covers});
 }
 
 void index_parts(geometry::SolidData& data) {
@@ -209,15 +209,7 @@ double least_signed_distance(const geometry::SolidData& data, const Vec3& point)
     data.index.for_each_nearer(
         point, [&] { return std::max(least, 0.0); },
         [&](std::uint32_t i) {
-            const PartQueries& part = data.queries[i];
-            if (part.primitive) {
-                least = std::min(least, part.primitive->signed_distance(point));
-                return;
-            }
-            Nearest nearest{std::numeric_limits<double>::infinity()};
-            part.mesh().closest(point, nearest);
-            const double distance = std::sqrt(nearest.squared_distance);
-            least = std::min(least, part.mesh().contains(point) ? -distance : distance);
+            least = std::min(least, data.queries[i].signed_distance(point));
         });
     return least;
 }
@@ -248,6 +240,29 @@ const geometry::InsideLines& lines_of(const geometry::SolidData& data) {
 }
 
 } // namespace
+
+double PartQueries::signed_distance(const Vec3& p) const {
+    if (primitive) {
+        return primitive->signed_distance(p);
+    }
+    Nearest nearest{std::numeric_limits<double>::infinity()};
+    mesh().closest(p, nearest);
+    const double distance = std::sqrt(nearest.squared_distance);
+    return mesh().contains(p) ? -distance : distance;
+}
+
+double SolidData::distance_to_filled(const Vec3& point) const {
+    if (!index.empty() && all_filled()) {
+        return least_signed_distance(*this, point);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (const PartQueries& part : queries) {
+        if (part.is_filled()) {
+            least = std::min(least, part.signed_distance(point));
+        }
+    }
+    return least;
+}
 
 const geometry::MeshPart& geometry::QueriedMesh::made() const {
     const std::lock_guard lock(making_);
@@ -323,6 +338,26 @@ bool Solid::closed() const {
     return data_->closed();
 }
 
+Covers Solid::covers() const {
+    return data_->all_filled() ? Covers::solid : Covers::surface;
+}
+
+bool has_solid_parts(const Solid& solid) {
+    return SolidAccess::data(solid).any_filled();
+}
+
+std::shared_ptr<const Solid> as_surface(const Solid& solid) {
+    std::vector<Solid::Part> parts = solid.parts();
+    for (Solid::Part& part : parts) {
+        part.covers = Covers::surface;
+    }
+    return Solid::make(std::move(parts));
+}
+
+const char* to_string(Covers covers) {
+    return covers == Covers::solid ? "solid" : "surface";
+}
+
 double Solid::volume() const {
     return data_->is_primitive() ? data_->queries[0].volume() : lines_of(*data_).volume().value;
 }
@@ -376,15 +411,7 @@ double Solid::signed_distance(const Vec3& point) const {
     }
     double least = std::numeric_limits<double>::infinity();
     for (const PartQueries& part : data_->queries) {
-        if (part.primitive) {
-            least = std::min(least, part.primitive->signed_distance(point));
-            continue;
-        }
-        Nearest nearest{std::numeric_limits<double>::infinity()};
-        part.mesh().closest(point, nearest);
-        const double distance = std::sqrt(nearest.squared_distance);
-        // A part that is farther off than another may contain the point deep inside.
-        least = std::min(least, part.mesh().contains(point) ? -distance : distance);
+        least = std::min(least, part.signed_distance(point)); // a part that is farther off may contain the point
     }
     return least;
 }

@@ -48,10 +48,14 @@ struct PartQueries {
     std::unique_ptr<const QueriedMesh> queried; ///< of a primitive: of its tessellation
     std::optional<PrimitivePart> primitive;
     Box box; ///< of the tessellation
+    Covers wanted = Covers::solid; ///< of its part
 
     const MeshPart& mesh() const { return queried->part(); }
     bool closed() const { return primitive.has_value() || queried->closed(); }
     bool contains(const Vec3& p) const { return primitive ? primitive->signed_distance(p) <= 0 : mesh().contains(p); }
+    /// Returns whether covers are to hold its inside.
+    bool is_filled() const { return wanted == Covers::solid && closed(); }
+    double signed_distance(const Vec3& p) const;
     /// Returns the volume of this part alone; of a mesh that is not closed: with its closing surface.
     double volume() const { return primitive ? primitive->volume() : mesh().signed_volume(); }
 };
@@ -88,6 +92,14 @@ struct SolidData {
     bool closed() const {
         return std::all_of(queries.begin(), queries.end(), [](const PartQueries& part) { return part.closed(); });
     }
+    bool any_filled() const {
+        return std::any_of(queries.begin(), queries.end(), [](const PartQueries& part) { return part.is_filled(); });
+    }
+    bool all_filled() const {
+        return std::all_of(queries.begin(), queries.end(), [](const PartQueries& part) { return part.is_filled(); });
+    }
+    /// Returns the least signed distance from a part whose inside covers are to hold; infinite if there is none.
+    [[gnu::visibility("hidden")]] double distance_to_filled(const Vec3& point) const;
     bool is_primitive() const { return queries.size() == 1 && queries[0].primitive; }
     /// Returns the same as Solid::inside_along().
     Intervals inside_along(const Line& line, std::span<const Solid::Interval> within) const;

@@ -55,6 +55,7 @@ LinkProof prove_outer(const Solid& solid, const Elements& elements) {
             .growth = certificate.growth,
             .witness = certificate.witness,
             .triangle = certificate.triangle,
+            .cavity = certificate.cavity,
             .triangles = proof.triangles,
             .pieces = certificate.pieces,
             .halvings = proof.halvings};

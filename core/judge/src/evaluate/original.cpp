@@ -88,6 +88,9 @@ Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& 
     LoadedLinks links = load_links(
         {registry, run, journal}, {}, *result.robot, [&](const Link& link) { return is_chosen(link, options.links); },
         loaded->meshes);
+    for (LoadedLink& link : links.links) {
+        link.covers = options.covers;
+    }
     result.links = solids_of(links.links);
     if (result.links.empty()) {
         throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",

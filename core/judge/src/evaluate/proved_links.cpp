@@ -28,6 +28,10 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
             links.left_out.push_back({link.name, "excluded by --link"});
         } else if (proved[next++]) {
             ++links.proved;
+            const std::string why = why_surface_alone(*original.links[next - 1].solid);
+            if (guarantee == Guarantee::outer && !why.empty()) {
+                links.as_surface.push_back({link.name, why});
+            }
         } else {
             links.left_out.push_back({link.name, model.elements[next - 1].empty() ? no_elements : proof_fails});
         }
@@ -36,11 +40,13 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
 }
 
 /// Returns the share of the volume of the proved links that lies outside their elements.
-double missing_in(const Original& original, const MatchedModel& model, const std::vector<bool>& proved) {
+double missing_in(const Original& original, const MatchedModel& model, const std::vector<bool>& proved,
+                  Guarantee guarantee) {
     double missing = 0, volume = 0;
     for (std::size_t i = 0; i < original.links.size(); ++i) {
         if (proved[i] && !model.elements[i].empty()) {
-            missing += missing_volume(*original.links[i].solid, model.elements[i]);
+            const bool by_proof = guarantee == Guarantee::outer && original.links[i].solid->covers() == Covers::solid;
+            missing += by_proof ? 0 : missing_volume(*original.links[i].solid, model.elements[i]);
             volume += original.links[i].solid->volume();
         }
     }
@@ -56,7 +62,7 @@ ProvedLinks proved_links(const Original& original, const MatchedModel& model, co
         proved.push_back(proof.holds);
     }
     ProvedLinks links = verdict_on(original, model, proved, guarantee);
-    links.missing = links.proved > 0 ? missing_in(original, model, proved) : 0;
+    links.missing = links.proved > 0 ? missing_in(original, model, proved, guarantee) : 0;
     return links;
 }
 

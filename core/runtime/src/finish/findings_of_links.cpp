@@ -126,6 +126,7 @@ void measure_visual_gaps(const Workspace& workspace, const FinishedModel& finish
             gap.unknown = loaded[i].error->what();
             return;
         }
+        loaded[i].covers = Covers::surface; // a gap is where it is seen
         const Certificate certificate = certify(*solid_of(loaded[i]), link.elements);
         gap.length = certificate.holds ? 0 : certificate.growth;
     });

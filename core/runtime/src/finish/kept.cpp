@@ -15,7 +15,9 @@ namespace {
 void find_uncovered(const Workspace& workspace, LinkWork& link, Group& group) {
     const Recipe::LinkRecipe& recipe = link.recipe;
     group.solid = solid_of(link, group.elements);
-    if (!certify(*group.solid, recipe.keep).holds) {
+    if (const Certificate certificate = certify(*group.solid, recipe.keep); certificate.cavity) {
+        group.uncovered = group.solid;
+    } else if (!certificate.holds) {
         Mesh left = geometry::left_uncovered(group.solid->surface(), recipe.keep);
         if (!left.triangles.empty()) {
             group.uncovered = Solid::make(std::move(left));

@@ -22,6 +22,7 @@ static std::vector<Solid::Part> parts_of(const LoadedLink& link, const std::vect
     for (const std::size_t e : elements) {
         const CollisionElement& element = link.elements[e];
         Solid::Part part;
+        part.covers = link.covers;
         if (const Element* primitive = element.primitive()) {
             part.primitive = *primitive;
             part.pose = element.source->origin;
@@ -244,9 +245,14 @@ private:
         if (!group.uncovered) {
             return {.tree = flat_tree(kept), .growth = 0, .one_instead = false};
         }
-        FinishedTree result = finished(*group.uncovered);
-        result.tree = with_kept(kept, beside_kept(*group.solid, std::move(result.tree)));
-        return result;
+        const auto beside = [&](const Solid& solid) {
+            FinishedTree result = finished(solid);
+            result.tree = with_kept(kept, beside_kept(*group.solid, std::move(result.tree)));
+            return result;
+        };
+        FinishedTree result = beside(*group.uncovered);
+        const bool outer = workspace_.recipe.guarantee == Guarantee::outer;
+        return !outer || covers(*group.solid, result.tree.elements()) ? result : beside(*group.solid); // with a cavity
     }
 
     void cover_by_one(std::size_t g) {

@@ -23,8 +23,10 @@ std::string broken_promise(const Solid& solid, const Elements& elements, Guarant
         took.triangles = cover.triangles;
         took.pieces = proof.pieces;
         took.halvings = cover.halvings;
-        return proof.holds ? ""
-                           : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
+        return proof.holds    ? ""
+               : proof.cavity ? fmt::format("the point [{}, {}, {}] inside is {} m from all elements", proof.witness.x,
+                                            proof.witness.y, proof.witness.z, proof.growth)
+                              : fmt::format("{} m are missing at [{}, {}, {}]", proof.growth, proof.witness.x,
                                          proof.witness.y, proof.witness.z);
     }
     const InnerCertificate proof = certify_inner(solid, elements.spheres());

@@ -112,6 +112,7 @@ std::vector<LinkWork> load_links(const Workspace& workspace, const Robot& robot,
     for (LoadedLink& link : loaded.links) {
         LinkWork& work = links.emplace_back(LinkWork{std::move(link), {}, {}});
         work.recipe = workspace.recipe.for_link(work.link->name);
+        work.covers = work.recipe.covers;
         work.report.link = work.link->name;
         work.report.skipped = work.recipe.skip;
         work.report.stages = work.loaders;

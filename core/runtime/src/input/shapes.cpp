@@ -37,8 +37,10 @@ const char* plural_of(const std::vector<ShapeWork>& shapes) {
     return spheres ? "spheres" : "elements";
 }
 
-static Solid::Part part_of(const CollisionElement& element, const Pose& pose, bool processed) {
+static Solid::Part part_of(const LinkWork& link, std::size_t e, const Pose& pose, bool processed) {
+    const CollisionElement& element = link.elements[e];
     Solid::Part part;
+    part.covers = link.covers;
     if (const Element* primitive = element.primitive()) {
         part.primitive = *primitive;
         part.pose = pose;
@@ -198,6 +200,9 @@ std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::ve
         if (link.recipe.hollow == Hollow::fill) {
             hasher.add("fill");
         }
+        if (link.covers == Covers::surface) {
+            hasher.add("surface");
+        }
         for (const Sphere& sphere : kept_of(groups[g], link)) {
             hasher.add("keep").add(sphere.center).add(sphere.radius);
         }
@@ -234,9 +239,9 @@ void build_shape(const Workspace& workspace, const std::vector<LinkWork>& links,
                                                    [&](std::size_t e) { return !link.elements[e].filtered.empty(); });
     for (const std::size_t e : group.elements) {
         const Pose pose = relative_pose(group, link, e);
-        original.push_back(part_of(link.elements[e], pose, false));
+        original.push_back(part_of(link, e, pose, false));
         if (filtered) {
-            processed.push_back(part_of(link.elements[e], pose, true));
+            processed.push_back(part_of(link, e, pose, true));
         }
     }
     work.original = work.unfilled = Solid::make(std::move(original));

@@ -41,6 +41,7 @@ void put_solid(std::string& out, const Solid& solid) {
     put(out, static_cast<std::uint64_t>(solid.parts().size()));
     for (const Solid::Part& part : solid.parts()) {
         put(out, part.pose);
+        put(out, part.covers);
         put(out, part.primitive.has_value());
         if (part.primitive) {
             put_element(out, *part.primitive);
@@ -55,6 +56,7 @@ std::shared_ptr<const Solid> take_solid(ByteReader& in) {
     for (auto count = in.take<std::uint64_t>(); count > 0 && in.good(); --count) {
         Solid::Part& part = parts.emplace_back();
         part.pose = in.take<Pose>();
+        part.covers = in.take<Covers>();
         if (in.take<bool>()) {
             part.primitive = take_element(in);
         } else {

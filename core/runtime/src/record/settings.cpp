@@ -92,7 +92,7 @@ Json settings_of(const Recipe& recipe, const Registry& registry) {
         json["budget"]["costs"][key->declared.name] = to_json(value);
     }
     json["guarantee"] = word_of(recipe, "guarantee");
-    for (const char* key : {"cover", "pad", "hollow"}) {
+    for (const char* key : {"cover", "pad", "hollow", "covers"}) {
         if (const auto value = reading::value_of(key, reading::top_level_keys(), recipe)) {
             json[key] = to_json(*value);
         }

@@ -3,6 +3,7 @@
 #include "by_spheres/measured/occupancy.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/solids.hpp>
 #include <foam/geometry/mesh_checks.hpp>
 
 #include <algorithm>
@@ -74,6 +75,49 @@ std::vector<Plane> creases_of(const Mesh& mesh) {
     return planes;
 }
 
+/// Returns the planes of the flat parts of the surface that are a share of it, large ones first: sheets of metal meet there.
+std::vector<Plane> faces_of(const Mesh& mesh) {
+    constexpr double share = 0.05;
+    constexpr std::size_t most = 12, most_triangles = 20'000; // finer meshes are round
+    if (mesh.triangles.size() > most_triangles) {
+        return {};
+    }
+    std::vector<Crease> found; // weighed by their area
+    double all = 0;
+    CancellationCounter asking(256);
+    for (const Triangle& t : mesh.triangles) {
+        asking.check();
+        const Vec3& a = mesh.vertices[t[0]];
+        const Vec3 across = cross(mesh.vertices[t[1]] - a, mesh.vertices[t[2]] - a);
+        const double area = norm(across);
+        all += area;
+        if (!(area > 0)) {
+            continue;
+        }
+        Vec3 normal = across / area;
+        if (normal.x < 0 || (normal.x == 0 && (normal.y < 0 || (normal.y == 0 && normal.z < 0)))) {
+            normal = -normal;
+        }
+        const Plane plane{normal, dot(normal, a)};
+        const auto known = std::find_if(found.begin(), found.end(), [&](const Crease& f) {
+            return dot(f.plane.normal, normal) > 1 - 1e-9 && std::abs(f.plane.offset - plane.offset) < 1e-7;
+        });
+        if (known != found.end()) {
+            known->weight += area;
+        } else if (found.size() < 40 * most) {
+            found.push_back({area, plane});
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Crease& a, const Crease& b) { return a.weight > b.weight; });
+    std::vector<Plane> planes;
+    for (const Crease& face : found) {
+        if (planes.size() < most && face.weight > share * all) {
+            planes.push_back(face.plane);
+        }
+    }
+    return planes;
+}
+
 /// Calls `visit` with the triangles that are segments or points, which welding drops.
 template <class Visit> void for_each_without_area(const Mesh& mesh, Visit visit) {
     for (const Triangle& t : mesh.triangles) {
@@ -130,6 +174,7 @@ BodyOfSolid body_of(const Solid& solid) {
         body.surface.close();
     });
     body.has_inside = solid.volume() > 0;
+    body.is_filled = body.has_inside && geometry::has_solid_parts(solid);
     body.volumes_by_surface = surface_tells_volume(body.surface, solid, result.unit);
     if (body.has_inside && !body.volumes_by_surface) {
         set_samples(body, solid);
@@ -138,29 +183,126 @@ BodyOfSolid body_of(const Solid& solid) {
         return solid.contains(origin + p * unit);
     };
     body.creases = creases_of(mesh);
+    body.faces = faces_of(mesh);
     return result;
+}
+
+static Vec3 mean_of(std::span<const Vec3> points) {
+    Vec3 sum{};
+    for (const Vec3& p : points) {
+        sum += p / static_cast<double>(points.size());
+    }
+    return sum;
+}
+
+void add_corners_inside(const Body& body, std::span<const Vec3> corners, std::vector<Vec3>& points) {
+    constexpr double inwards = 1e-6; // of the way to the middle of the region
+    const Vec3 middle = mean_of(corners);
+    std::copy_if(corners.begin(), corners.end(), std::back_inserter(points),
+                 [&](const Vec3& p) { return body.inside(p + (middle - p) * inwards); });
+}
+
+/// A brick of halved space, and the box that it was cut from.
+struct Halved {
+    Brick brick;
+    Box cell;
+};
+
+/// Returns the corners of a box.
+static std::vector<Vec3> corners_of(const Box& box) {
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; ++k) {
+        corners.push_back({k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y, k & 4 ? box.high.z : box.low.z});
+    }
+    return corners;
+}
+
+/// Returns the brick of a box: of its part of the surface and, if the body is filled, of its corners inside.
+static Brick brick_in(const Body& body, HullOfPoints& hull, Polygons surface, const Box& cell) {
+    std::vector<Vec3> points = surface.corners;
+    if (!body.is_filled) {
+        return points.empty() ? Brick{} : brick_around(hull, std::move(points), std::move(surface));
+    }
+    if (surface.ends.empty() && !body.inside(cell.center())) {
+        return {};
+    }
+    add_corners_inside(body, corners_of(cell), points);
+    if (points.empty()) {
+        return {};
+    }
+    Brick brick = brick_around(hull, std::move(points), std::move(surface));
+    brick.regions.push_back(region_around(hull, corners_of(cell)));
+    return brick;
+}
+
+/// Cuts bricks along the plane of a large flat part of the surface: what sheets that meet there have of them is convex
+/// then.
+static void cut_along(const Body& body, HullOfPoints& hull, const Plane& face, std::vector<Brick>& bricks) {
+    const std::size_t count = bricks.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<Brick, 2> parts = cut(hull, bricks[i], face);
+        for (Brick& part : parts) {
+            std::vector<Vec3> points = part.surface.corners;
+            for (const Region& region : part.regions) {
+                add_corners_inside(body, region.corners, points);
+            }
+            std::vector<Region> regions = std::move(part.regions);
+            const bool is_inside = part.surface.ends.empty() && !regions.empty();
+            if (points.empty() || (is_inside && !body.inside(mean_of(regions.front().corners)))) {
+                part = {};
+                continue;
+            }
+            part = brick_around(hull, std::move(points), std::move(part.surface));
+            part.regions = std::move(regions);
+        }
+        if (!parts[0].points.empty() && !parts[1].points.empty()) {
+            bricks.push_back(std::move(parts[1]));
+            bricks[i] = std::move(parts[0]);
+        }
+    }
 }
 
 std::vector<Brick> halved_bricks(const Body& body, std::size_t count) {
     HullOfPoints hull;
-    std::vector<Brick> bricks{brick_around(hull, body.surface.corners, body.surface)};
-    while (bricks.size() < count) {
+    Box all;
+    for (const Vec3& p : body.surface.corners) {
+        all.add(p);
+    }
+    std::vector<Halved> made{{brick_in(body, hull, body.surface, all), all}};
+    std::size_t with_surface = 1;
+    while (with_surface < count) {
         check_cancelled();
         const auto longest = [](const Box& box) { return std::max({box.size().x, box.size().y, box.size().z}); };
-        const auto chosen = std::max_element(bricks.begin(), bricks.end(), [&](const Brick& a, const Brick& b) {
-            return longest(a.box) < longest(b.box);
+        const auto chosen = std::max_element(made.begin(), made.end(), [&](const Halved& a, const Halved& b) {
+            return longest(a.brick.box) < longest(b.brick.box);
         });
-        const Vec3 size = chosen->box.size();
+        const Vec3 size = chosen->brick.box.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        Plane plane{{}, chosen->box.center()[axis]};
+        Plane plane{{}, chosen->brick.box.center()[axis]};
         plane.normal[axis] = 1;
         std::array<Polygons, 2> parts;
-        cut(chosen->surface, plane, parts[0], parts[1]);
-        if (parts[0].ends.empty() || parts[1].ends.empty()) {
+        cut(chosen->brick.surface, plane, parts[0], parts[1]);
+        std::array<Box, 2> cells{chosen->cell, chosen->cell};
+        cells[0].high[axis] = cells[1].low[axis] = plane.offset;
+        std::array<Brick, 2> halves;
+        for (std::size_t side = 0; side < 2; ++side) {
+            halves[side] = brick_in(body, hull, parts[side], cells[side]);
+        }
+        if (halves[0].points.empty() || halves[1].points.empty()) {
             break;
         }
-        *chosen = brick_around(hull, parts[0].corners, parts[0]);
-        bricks.push_back(brick_around(hull, parts[1].corners, parts[1]));
+        with_surface -= !chosen->brick.surface.ends.empty();
+        with_surface += !parts[0].ends.empty();
+        with_surface += !parts[1].ends.empty();
+        *chosen = {std::move(halves[0]), cells[0]};
+        made.push_back({std::move(halves[1]), cells[1]});
+    }
+    std::vector<Brick> bricks;
+    for (Halved& half : made) {
+        bricks.push_back(std::move(half.brick));
+    }
+    for (const Plane& face : body.faces) {
+        cut_along(body, hull, face, bricks);
     }
     return bricks;
 }

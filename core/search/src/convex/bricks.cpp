@@ -106,12 +106,30 @@ Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surfac
     return brick;
 }
 
-/// Appends the points of the parts of a brick below and above a plane.
-static void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above) {
+Region region_around(HullOfPoints& hull, std::vector<Vec3> corners) {
+    Region region;
+    hull.run(corners);
+    const std::vector<std::uint32_t> vertices = hull.vertices();
+    std::vector<std::uint32_t> name(corners.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+        name[vertices[i]] = i;
+        region.corners.push_back(corners[vertices[i]]);
+    }
+    region.edges = hull.edges();
+    for (auto& [a, b] : region.edges) {
+        a = name[a];
+        b = name[b];
+    }
+    return region;
+}
+
+/// Appends the corners of the parts of a convex region below and above a plane.
+static void append_parts(std::span<const Vec3> corners, std::span<const std::array<std::uint32_t, 2>> edges,
+                         const Plane& plane, std::vector<Vec3>& below, std::vector<Vec3>& above) {
     static thread_local std::vector<double> heights;
     heights.clear();
     bool has_below = false, has_above = false;
-    for (const Vec3& p : brick.points) {
+    for (const Vec3& p : corners) {
         const double h = plane.height(p);
         heights.push_back(h);
         has_below = has_below || h < -on_plane;
@@ -119,20 +137,20 @@ static void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec
     }
     if (!has_below || !has_above) {
         std::vector<Vec3>& part = has_above ? above : below;
-        part.insert(part.end(), brick.points.begin(), brick.points.end());
+        part.insert(part.end(), corners.begin(), corners.end());
         return;
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
         if (heights[i] <= on_plane) {
-            below.push_back(brick.points[i]);
+            below.push_back(corners[i]);
         }
         if (heights[i] >= -on_plane) {
-            above.push_back(brick.points[i]);
+            above.push_back(corners[i]);
         }
     }
-    for (const auto& [a, b] : brick.edges) {
+    for (const auto& [a, b] : edges) {
         if ((heights[a] < -on_plane && heights[b] > on_plane) || (heights[a] > on_plane && heights[b] < -on_plane)) {
-            const Vec3 c = crossing(brick.points[a], brick.points[b], heights[a], heights[b]);
+            const Vec3 c = crossing(corners[a], corners[b], heights[a], heights[b]);
             below.push_back(c);
             above.push_back(c);
         }
@@ -142,13 +160,23 @@ static void append_parts(const Brick& brick, const Plane& plane, std::vector<Vec
 std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane) {
     std::array<std::vector<Vec3>, 2> points;
     std::array<Polygons, 2> surface;
-    append_parts(brick, plane, points[0], points[1]);
+    append_parts(brick.points, brick.edges, plane, points[0], points[1]);
     cut(brick.surface, plane, surface[0], surface[1]);
     for (std::size_t side = 0; side < 2; ++side) { // flat bricks have no edges to be cut
         points[side].insert(points[side].end(), surface[side].corners.begin(), surface[side].corners.end());
     }
-    return {brick_around(hull, std::move(points[0]), std::move(surface[0])),
-            brick_around(hull, std::move(points[1]), std::move(surface[1]))};
+    std::array<Brick, 2> parts{brick_around(hull, std::move(points[0]), std::move(surface[0])),
+                               brick_around(hull, std::move(points[1]), std::move(surface[1]))};
+    for (const Region& region : brick.regions) {
+        std::array<std::vector<Vec3>, 2> corners;
+        append_parts(region.corners, region.edges, plane, corners[0], corners[1]);
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (!corners[side].empty()) {
+                parts[side].regions.push_back(region_around(hull, std::move(corners[side])));
+            }
+        }
+    }
+    return parts;
 }
 
 } // namespace foam::inline search::convex

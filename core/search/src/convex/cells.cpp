@@ -343,7 +343,11 @@ private:
         HullOfPoints hull;
         std::vector<Vec3> points = cell.surface.corners;
         points.insert(points.end(), cell.corners.points.begin(), cell.corners.points.end());
-        return brick_around(hull, std::move(points), cell.surface);
+        Brick brick = brick_around(hull, std::move(points), cell.surface);
+        if (body_.is_filled) {
+            brick.regions.push_back(region_around(hull, distinct(cell.faces).points));
+        }
+        return brick;
     }
 
     const Body& body_;

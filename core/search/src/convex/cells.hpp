@@ -45,16 +45,27 @@ struct Polygons {
 /// Cuts polygons. `rim`, unless null, gets the edges along the plane of the parts below, as pairs of points.
 void cut(const Polygons& whole, const Plane& plane, Polygons& below, Polygons& above, std::vector<Vec3>* rim = nullptr);
 
+/// A convex part of space by its corners and the edges between them.
+struct Region {
+    std::vector<Vec3> corners;
+    std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
 /// A convex piece of space with the part of the surface in it.
 struct Brick {
     std::vector<Vec3> points;                        ///< its vertices
     std::vector<std::array<std::uint32_t, 2>> edges; ///< between these
     Polygons surface;
+    /// What it was cut from, of a body whose inside is to be held. What a brick has of the body is in the hull of its
+    /// surface and of those corners that are inside.
+    std::vector<Region> regions;
     Box box;
 };
 
 /// Returns the brick around points; without volume it has its points and no edge.
 Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface);
+/// Returns the convex region of these corners.
+Region region_around(HullOfPoints& hull, std::vector<Vec3> corners);
 /// Returns the two parts of a brick on both sides of a plane; a part that is empty has no points.
 std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane);
 
@@ -63,12 +74,17 @@ struct Body {
     Polygons surface;
     std::vector<std::uint32_t> vertices; ///< of each corner of the surface, the number of its vertex
     bool has_inside = false;                 ///< also of an open surface that encloses most of a volume
+    bool is_filled = false;                  ///< pieces are to hold what is inside
     bool volumes_by_surface = false;         ///< the surface tells the volumes of the body's parts
     std::function<bool(const Vec3&)> inside; ///< whether a point is within the surface
     std::vector<Vec3> samples;               ///< points evenly spread inside, where the surface tells no volumes
     double sample_volume = 0;                ///< cubic units that each of them stands for
     std::vector<Plane> creases;              ///< planes through concave edges, important ones first
+    std::vector<Plane> faces;                ///< planes of large flat parts of the surface, large ones first
 };
+
+/// Appends the corners of a convex region that are inside the body, or on its surface with the body before them.
+void add_corners_inside(const Body& body, std::span<const Vec3> corners, std::vector<Vec3>& points);
 
 /// Returns bricks that hold the body together, about `most` of them: space is cut by planes, cells with more volume
 /// between their part of the body and its hull than a threshold once more, and the threshold is lowered round by round.
@@ -87,7 +103,8 @@ struct BodyOfSolid {
 BodyOfSolid body_of(const Solid& solid);
 
 /// Returns bricks that hold the surface together: space is halved across the longest side of the brick with the
-/// longest, again and again. Much quicker than bricks_of(), for elements that are larger than bricks.
+/// longest, again and again, until `count` bricks have a part of the surface. Of a body that is filled, bricks inside it
+/// come with them. Much quicker than bricks_of(), for elements that are larger than bricks.
 std::vector<Brick> halved_bricks(const Body& body, std::size_t count);
 
 /// The price of putting points into one element: its volume in cubic units.
@@ -111,8 +128,9 @@ public:
 
     /// Returns the cut by the plane; where its price is `limit` or more, with a bound for it that is, too.
     Cut at(const Plane& plane, double limit = std::numeric_limits<double>::infinity());
-    /// Returns the best of the planes across directions spread evenly, at a few offsets each.
-    Cut start();
+    /// Returns the best of the planes across directions spread evenly, at a few offsets each, and of the first few of
+    /// `planes` that pass through the bricks.
+    Cut start(std::span<const Plane> planes);
     /// Moves and tilts the plane by shorter and shorter steps, as long as that makes the price less; about as many
     /// planes as `tries`.
     Cut improved(Cut best, int tries);

@@ -3,6 +3,7 @@
 #include <foam/geometry/vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -100,8 +101,8 @@ Cut CutSearch::at(const Plane& plane, double limit) {
     return {plane, price_(below_, above_, limit)};
 }
 
-Cut CutSearch::start() {
-    constexpr std::size_t directions = 18;
+Cut CutSearch::start(std::span<const Plane> planes) {
+    constexpr std::size_t directions = 18, most_planes = 16;
     Cut best;
     for (const Vec3& normal : fibonacci_directions(directions)) {
         if (normal.z < 0) {
@@ -117,6 +118,12 @@ Cut CutSearch::start() {
                 best = cut;
             }
         }
+    }
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < planes.size() && taken < most_planes; ++i) {
+        const Cut cut = at(planes[i], best.price);
+        taken += std::isfinite(cut.price); // a part is not empty
+        best = cut.price < best.price ? cut : best;
     }
     return best;
 }

@@ -4,12 +4,14 @@
 #include "cloud.hpp"
 #include "ellipsoid_fit.hpp"
 #include "fit_programme.hpp"
+#include "inside_blocks.hpp"
 #include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace foam::inline search::convex {
 namespace {
@@ -45,7 +47,11 @@ class Descent {
 public:
     Descent(const Body& body, const by_spheres::Occupancy& occupancy, std::vector<Fit> fits, bool keep_axes)
         : body_(body), lattice_(occupancy), fits_(std::move(fits)), keep_axes_(keep_axes),
-          taken_(body.surface.corners.size(), 0) {}
+          taken_(body.surface.corners.size(), 0) {
+        if (body.is_filled) {
+            inside_.emplace(occupancy);
+        }
+    }
 
     std::vector<Fit> run(int sweeps, int steps) {
         for (int sweep = 0; sweep < sweeps && fits_.size() > 1; ++sweep) {
@@ -138,11 +144,74 @@ private:
         }
         std::vector<Vec3> points;
         add_near(i, points, [&](const auto& t, std::vector<Vec3>& found) { add_alone(t, others, found); });
+        add_inside_alone(i, points);
         return points;
     }
     /// Appends the corners of what this element holds.
     void add_held(std::size_t i, std::vector<Vec3>& points) {
         add_near(i, points, [&](const auto& t, std::vector<Vec3>& found) { add_held(fits_[i], t, found); });
+        add_inside_held(i, points);
+    }
+    static bool holds_all(const Fit& fit, const Block& block) {
+        for (int k = 0; k < 8; ++k) {
+            if (!holds(fit, block.corner(k))) {
+                return false;
+            }
+        }
+        return true;
+    }
+    static void add_corners(const Block& block, std::vector<Vec3>& points) {
+        for (int k = 0; k < 8; ++k) {
+            points.push_back(block.corner(k));
+        }
+    }
+    /// Appends the corners of the parts inside the body that this element holds and none of the others holds alone. A
+    /// small part that no element holds alone is to be held by those that hold its middle.
+    void add_inside_alone(std::size_t i, std::vector<Vec3>& points) const {
+        if (!inside_) {
+            return;
+        }
+        inside_->visit([&](const Block& block) {
+            const double reach = block.reach(), away = distance_to(fits_[i], block.center);
+            if (away > reach) {
+                return false;
+            }
+            bool alone = true;
+            for (std::size_t k = 0; k < fits_.size(); ++k) {
+                if (k == i || distance_to(fits_[k], block.center) > reach) {
+                    continue;
+                }
+                if (holds_all(fits_[k], block)) {
+                    return false;
+                }
+                alone = false;
+            }
+            const bool small = 2 * block.half < finest;
+            if (block.full && (alone ? holds_all(fits_[i], block) : small && away <= 0)) {
+                add_corners(block, points);
+                return false;
+            }
+            if (block.whole && away <= 0) {
+                points.push_back(block.center);
+            }
+            return !small;
+        });
+    }
+    /// Appends the corners of what this element holds inside the body.
+    void add_inside_held(std::size_t i, std::vector<Vec3>& points) const {
+        if (!inside_) {
+            return;
+        }
+        inside_->visit([&](const Block& block) {
+            if (distance_to(fits_[i], block.center) > block.reach()) {
+                return false;
+            }
+            if (block.full && holds_all(fits_[i], block)) {
+                add_corners(block, points);
+                return false;
+            }
+            return 2 * block.half >= finest;
+        });
     }
     static void add_held(const Fit& fit, const std::array<Vec3, 3>& t, std::vector<Vec3>& points) {
         if (holds(fit, t[0]) && holds(fit, t[1]) && holds(fit, t[2])) {
@@ -267,6 +336,7 @@ private:
 
     const Body& body_;
     OutsideLattice lattice_;
+    std::optional<InsideBlocks> inside_; ///< of a body that is filled
     std::vector<Fit> fits_;
     const bool keep_axes_;
     std::uint32_t turn_ = 0;           ///< of an element

@@ -111,6 +111,11 @@ Fit quick_box(const Cloud& cloud) {
             best = found;
         }
     }
+    for (const Vec3& normal : cloud.normals) {
+        if (const Oriented found = search.about(normal); found.volume < best.volume) {
+            best = found;
+        }
+    }
     return box_along(cloud, best.axes);
 }
 

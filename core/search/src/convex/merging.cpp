@@ -187,6 +187,9 @@ std::vector<Brick> united(const std::vector<Brick>& bricks, const std::vector<Pi
             surface.append(bricks[i].surface);
         }
         result.push_back(brick_around(hull, piece.hull, std::move(surface)));
+        for (const std::uint32_t i : piece.bricks) {
+            result.back().regions.insert(result.back().regions.end(), bricks[i].regions.begin(), bricks[i].regions.end());
+        }
     }
     return result;
 }

@@ -94,7 +94,7 @@ Partition Partitions::by_splitting(std::size_t count) {
     std::map<std::size_t, Partition>& known = splits_[number];
     const auto above = known.upper_bound(count);
     Partition partition = above != known.begin() ? std::prev(above)->second : whole(bricks(number), pricing_);
-    split_until(partition, pricing_, count, plan_.recut);
+    split_until(partition, pricing_, count, plan_.recut, planes_);
     known.insert_or_assign(count, partition);
     return partition;
 }
@@ -120,7 +120,7 @@ Partition Partitions::best(std::size_t count) {
     if (!only_hulls_ || count <= few) {
         take_better(by_splitting(count));
     }
-    recut(best, pricing_, plan_.recut);
+    recut(best, pricing_, plan_.recut, planes_);
     return best;
 }
 

@@ -81,10 +81,11 @@ struct RecutPlan {
 };
 
 /// Makes the price less: two neighbours are cut anew by a plane that is moved and tilted, and two pieces
-/// become one where another gains more from being cut in two. The number of pieces stays.
-void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan);
+/// become one where another gains more from being cut in two. The number of pieces stays. `creases`: planes to try.
+void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> creases);
 /// Cuts pieces until there are `count`, or none can be cut: the piece that gains most by its cut is the next.
-void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan);
+void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan,
+                 std::span<const Plane> creases);
 
 /// Sums of the volumes of hulls, which hardly overlap. No other element around a piece has less volume.
 class SumOfHulls : public Pricing {
@@ -98,8 +99,9 @@ class VolumeOutside : public Pricing {
 public:
     /// Returns the element of a piece from the points that it is to hold.
     using FitAround = std::function<Fit(std::span<const Vec3>)>;
-    VolumeOutside(const by_spheres::Occupancy& occupancy, FitAround fit_around)
-        : occupancy_(occupancy), fit_around_(std::move(fit_around)) {}
+    /// `has_volume`: of the solid; elements around one without are as thin as they like.
+    VolumeOutside(const by_spheres::Occupancy& occupancy, FitAround fit_around, bool has_volume)
+        : occupancy_(occupancy), fit_around_(std::move(fit_around)), has_volume_(has_volume) {}
 
     void appraise(Piece& piece) const override;
     Beside beside(const std::vector<Piece>& pieces, std::span<const std::size_t> replaced) const override;
@@ -107,6 +109,7 @@ public:
 private:
     const by_spheres::Occupancy& occupancy_;
     FitAround fit_around_;
+    bool has_volume_;
 };
 
 /// How long to search.
@@ -122,7 +125,10 @@ public:
     /// `price`: of the element around points alone. `only_hulls`: pieces become hulls, which take finer bricks. Body
     /// and pricing must outlive this.
     Partitions(const Body& body, const Pricing& pricing, Price price, bool only_hulls, const PartitionPlan& plan)
-        : body_(body), pricing_(pricing), price_(std::move(price)), only_hulls_(only_hulls), plan_(plan) {}
+        : body_(body), pricing_(pricing), price_(std::move(price)), only_hulls_(only_hulls), plan_(plan),
+          planes_(body.faces) {
+        planes_.insert(planes_.end(), body.creases.begin(), body.creases.end());
+    }
 
     /// Returns the better partition that merging and splitting give, recut. Splitting alone does not get to a body with
     /// several legs: the first cut between two of them gains nothing.
@@ -155,6 +161,7 @@ private:
     const Price price_;
     const bool only_hulls_;
     const PartitionPlan plan_;
+    std::vector<Plane> planes_; ///< to try
     std::map<std::size_t, Merged> merged_;             ///< by the number asked for
     std::map<std::size_t, std::vector<Brick>> bricks_; ///< of hulls, the same
     /// By number of bricks: partitions by number of pieces.

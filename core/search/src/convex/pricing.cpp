@@ -3,6 +3,7 @@
 #include "cells.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 namespace foam::inline search::convex {
@@ -44,19 +45,27 @@ Beside VolumeOutside::beside(const std::vector<Piece>& pieces, std::span<const s
     wide.add(region.high + beyond);
     auto lattice = std::make_shared<OutsideLattice>(occupancy_);
     lattice->look(others, wide, cells);
+    // Elements thinner than a cell are blurred: they cost no more than their own volumes.
+    const auto cost = [lattice, this](std::span<const Fit> fits) {
+        double sum = has_volume_ ? 0 : std::numeric_limits<double>::infinity();
+        for (const Fit& fit : fits) {
+            sum += volume(fit);
+        }
+        return std::min(sum, lattice->of(fits));
+    };
     Beside result;
-    result.now = lattice->of(these);
-    result.price = [lattice, this](std::span<const Vec3> below, std::span<const Vec3> above, double limit) {
+    result.now = cost(these);
+    result.price = [cost, this](std::span<const Vec3> below, std::span<const Vec3> above, double limit) {
         if (below.size() < above.size()) { // the larger part alone may cost too much
             std::swap(below, above);
         }
         std::array<Fit, 2> fits{fit_around_(below)};
-        const double one = lattice->of(std::span(fits).first(1));
+        const double one = cost(std::span(fits).first(1));
         if (above.empty() || one >= limit) {
             return one;
         }
         fits[1] = fit_around_(above);
-        return lattice->of(fits);
+        return cost(fits);
     };
     return result;
 }

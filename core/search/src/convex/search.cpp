@@ -37,24 +37,24 @@ PartitionPlan plan_for(Effort effort) {
     return {600, 160, {.sweeps = 20, .tries = 60, .split_tries = 30}};
 }
 
-/// Returns the points of a piece that its element must hold: those of the surface in it, each once. `with_inside`: the
-/// corners of its bricks inside the body, too. A hull then leaves no cavity.
-std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body, bool with_inside) {
-    std::vector<Vec3> points;
-    for (const std::uint32_t i : piece.bricks) {
-        const Polygons& surface = partition.bricks[i].surface;
-        points.insert(points.end(), surface.corners.begin(), surface.corners.end());
-    }
+void keep_each_once(std::vector<Vec3>& points) {
     const auto key = [](const Vec3& p) { return std::tie(p.x, p.y, p.z); };
     std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return key(a) < key(b); });
-    points.erase(std::unique(points.begin(), points.end()), points.end()); // most are corners of several triangles
-    if (with_inside && body.has_inside && !points.empty()) {
-        for (const Vec3& p : piece.hull) {
-            if (body.inside(p)) {
-                points.push_back(p);
-            }
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+/// Returns the points of a piece whose hull has all of the body in it, each once: those of the surface, and the corners
+/// of its regions that are inside.
+std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, const Body& body) {
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : piece.bricks) {
+        const Brick& brick = partition.bricks[i];
+        points.insert(points.end(), brick.surface.corners.begin(), brick.surface.corners.end());
+        for (const Region& region : brick.regions) {
+            add_corners_inside(body, region.corners, points);
         }
     }
+    keep_each_once(points); // most are corners of several triangles
     return points;
 }
 
@@ -123,6 +123,7 @@ struct Search::Data {
     Fit quick_fit_around(const std::vector<Vec3>& points) const {
         Cloud cloud;
         cloud.points = points;
+        cloud.normals = flush;
         std::optional<Fit> best;
         for (const Element::Kind kind : kinds) {
             const Fit fit = quick_fit(kind, cloud, options.axis_aligned);
@@ -143,9 +144,8 @@ struct Search::Data {
         if (!pricing_ && has(Element::Kind::hull)) {
             pricing_ = std::make_unique<SumOfHulls>();
         } else if (!pricing_) {
-            pricing_ = std::make_unique<VolumeOutside>(occupancy(), [this](std::span<const Vec3> points) {
-                return quick_fit_around(few_extremes_of(points));
-            });
+            const auto fit_around = [this](std::span<const Vec3> points) { return quick_fit_around(few_extremes_of(points)); };
+            pricing_ = std::make_unique<VolumeOutside>(occupancy(), fit_around, solid.volume() > 0);
         }
         return *pricing_;
     }
@@ -206,18 +206,32 @@ struct Search::Data {
         level.add(element_around(solid.surface().vertices, effort));
         return proved(solid, std::move(level));
     }
+    /// Sets the normals of a few large faces, which boxes may lie flush with.
+    void set_flush() {
+        constexpr std::size_t most = 3;
+        constexpr double same = 0.999; // cosine
+        for (const Plane& face : body_->body.faces) {
+            const bool known = std::any_of(flush.begin(), flush.end(),
+                                           [&](const Vec3& n) { return std::abs(dot(n, face.normal)) > same; });
+            if (!known && flush.size() < most) {
+                flush.push_back(face.normal);
+            }
+        }
+    }
     const BodyOfSolid& body() {
         if (!body_) {
             body_ = body_of(solid);
+            body_->body.is_filled = body_->body.is_filled || (only_hulls && body_->body.has_inside);
+            set_flush();
         }
         return *body_;
     }
-    /// Returns an element around each piece that has a part of the surface.
+    /// Returns an element around each piece that has a part of the body.
     std::vector<Element> elements_of(const Partition& partition, Effort effort) {
         const BodyOfSolid& all = body();
         std::vector<std::optional<Element>> found(partition.pieces.size());
         parallel_for(found.size(), [&](std::size_t i) {
-            std::vector<Vec3> points = points_of(partition, partition.pieces[i], all.body, only_hulls);
+            std::vector<Vec3> points = points_of(partition, partition.pieces[i], all.body);
             for (Vec3& p : points) {
                 p = all.origin + p * all.unit;
             }
@@ -272,7 +286,8 @@ struct Search::Data {
         const std::vector<Element> start = elements_of(partition, Effort::fast);
         Rated best{cover_by(descended(start)), {}};
         const bool descends_by_figure = options.objective == Objective::excess && solid.volume() > 0;
-        if (!descends_by_figure) {
+        constexpr std::size_t few = 4; // elements that may fit exactly
+        if (!descends_by_figure || start.size() <= few) {
             take_better(best, {cover_by(start), {}});
         }
         return best;
@@ -308,6 +323,7 @@ struct Search::Data {
     CoverOptions options;
     PartitionPlan plan;
     bool only_hulls = false;
+    std::vector<Vec3> flush; ///< normals, once body() is known
     std::optional<by_spheres::Occupancy> occupancy_;
     std::unique_ptr<Pricing> pricing_;
     std::optional<BodyOfSolid> body_;

@@ -24,12 +24,13 @@ struct Measures {
     double gap = 0;           ///< max over ∂S of the distance to U, m: from above, to 0.1 %; infinite without spheres
     double excess = 0;        ///< vol(U \ S) / vol(S); infinite if vol(S) = 0 (open surfaces without an inside)
     double excess_error = 0;  ///< standard error of excess
-    double missing = 0;       ///< vol(S \ U) / vol(S); 0 if vol(S) = 0
+    double missing = 0;       ///< vol(S \ U) / vol(S); 0 if vol(S) = 0, and where a cover of the solid is proved
     double missing_error = 0; ///< standard error of missing
     double exposed_area = 0;  ///< of ∂U outside S, m²
     double protrusion_max = 0;                                ///< distance from the exposed surface of U to S, m
     double protrusion_mean = 0;                               ///< area-weighted mean of it, m
-    bool certified = false;                                   ///< gap = 0 is proved
+    bool certified = false;                                   ///< certify() holds
+    Covers covers = Covers::solid;                            ///< what that proves
     double excess_volume = 0;                                 ///< vol(U \ S), m³
     double missing_volume = 0;                                ///< vol(S \ U), m³
     double excess_volume_error = 0, missing_volume_error = 0; ///< standard errors, m³
@@ -70,18 +71,24 @@ double excess_volume(const Solid& solid, const Elements& elements);
 /// Returns excess_volume() and missing_volume(), in the time of the first alone.
 std::pair<double, double> excess_and_missing_volume(const Solid& solid, const Elements& elements);
 
-/// The result of the proof that elements cover a surface.
+/// The result of the proof that elements cover a solid.
 struct Certificate {
     bool holds = false;
+    Covers covers = Covers::solid; ///< what is proved: that of the solid
     std::size_t pieces = 0; ///< triangles, and pieces of them, that were examined
-    double growth = 0;      ///< m; if it does not hold: growth of the nearest sphere that would close the worst piece
+    double growth = 0;      ///< m; if it does not hold: growth of the nearest element that would close the worst piece
     Vec3 witness{};         ///< if it does not hold: a corner of that piece
     std::uint32_t triangle = 0; ///< if it does not hold: the triangle of Solid::surface() it lies on
+    /// If it does not hold: the elements hold the surface, but the witness is inside. `growth` is then its distance from
+    /// them, or 0 if it is not known whether they hold it.
+    bool cavity = false;
 };
 
-/// Proves that every triangle of solid.surface() lies in the union of the elements. An element that contains the corners of a convex
-/// piece contains the piece; otherwise the piece is cut along the faces of an element, or halved, to `depth` halvings of its
-/// longest edge. Rounding is on the safe side: an uncovered point never passes.
+/// Proves that the union of the elements holds the solid: every triangle of solid.surface(), and with them the insides of all parts
+/// that have one, unless solid.covers() says otherwise. An element that contains the corners of a convex piece contains the piece;
+/// otherwise the piece is cut along the faces of an element, or halved, to `depth` halvings of its longest edge. Then no region
+/// inside is left between the elements. Rounding is on the safe side: an uncovered point never passes.
+/// docs/dev/certificate.md has the argument.
 Certificate certify(const Solid& solid, const Elements& elements, int depth = 40);
 /// Returns whether certify() holds. Where it does not, this takes much less time: the gap is not searched for.
 bool covers(const Solid& solid, const Elements& elements);

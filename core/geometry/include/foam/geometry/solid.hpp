@@ -21,6 +21,15 @@ struct SurfacePoint {
     std::uint32_t triangle = 0; ///< index into Solid::surface().triangles
 };
 
+/// What elements around a solid are to hold.
+enum class Covers {
+    solid,   ///< all of it, with its inside
+    surface, ///< its surface alone: what is open has no inside for certain
+};
+
+/// Returns "solid" or "surface".
+const char* to_string(Covers covers);
+
 /// The union of closed parts (meshes, primitives) in one frame, metres. It is immutable; every query is const and
 /// thread-safe. A mesh that is not closed counts as the set of points whose generalised winding number (Jacobson et al.
 /// 2013) is above one half. The surface belongs to the solid. Raw meshes are interpreted as their authors must have
@@ -34,6 +43,8 @@ public:
         std::shared_ptr<const Mesh> mesh; ///< in the solid's frame; null for a primitive
         std::optional<Element> primitive;
         Pose pose; ///< of the primitive; ignored for a mesh
+        /// surface: no cover has to hold its inside, even where it has one.
+        Covers covers = Covers::solid;
     };
 
     /// Builds the acceleration structures: O(n log n) in the triangles. Throws Error(geometry) if there is no triangle
@@ -62,6 +73,9 @@ public:
     double volume_error() const;
     /// Returns false if a part is a mesh with holes, whose inside depends on the winding number.
     bool closed() const;
+    /// Returns what covers of it are to hold: its surface alone if a part is a mesh with holes, or says so itself. The
+    /// other parts are held with their insides all the same.
+    Covers covers() const;
 
     /// Returns the nearest point of surface(). O(log n). For a round primitive it lies on the tessellation.
     SurfacePoint closest(const Vec3& point) const;
@@ -93,6 +107,9 @@ private:
     explicit Solid(std::unique_ptr<const Data> data);
     std::unique_ptr<const Data> data_;
 };
+
+/// Returns the solid of the same parts of which covers are to hold the surface alone.
+std::shared_ptr<const Solid> as_surface(const Solid& solid);
 
 /// The input of a spherizer: the geometry of a link (or of one collision element), in the link's frame.
 class Shape {

@@ -61,6 +61,7 @@ struct OriginalOptions {
     std::vector<std::string> links{}; ///< globs of the links to read; none: all
     MeshUnit unit{};                  ///< of a mesh whose file does not state it
     CoveredGeometry geometry = CoveredGeometry::collision;
+    Covers covers = Covers::solid; ///< what elements are to hold
     std::vector<std::filesystem::path> package_path{}; ///< folders with packages, before those of the environment
     /// The name that the content of a URDF goes by: messages have it, and relative references lead from its folder. It
     /// need not exist; empty: the file's own.
@@ -119,6 +120,7 @@ struct LinkProof {
     double growth = 0; ///< m; outer: of the nearest sphere, to close the worst piece; inner: how far one protrudes
     Vec3 witness{};    ///< outer: a corner of that piece, inner: the centre of that sphere; link frame
     std::uint32_t triangle = 0; ///< outer: of Solid::surface()
+    bool cavity = false;        ///< outer: the surface is covered; the witness is inside, and `growth` its distance
     std::size_t sphere = 0;     ///< inner: its index among the link's spheres
     std::size_t triangles = 0;  ///< outer: of the surface; round primitives by the polyhedron around them
     std::size_t pieces = 0;     ///< outer: triangles, and parts of them, that were examined

@@ -60,7 +60,11 @@ template <class Json> Json json_of_proofs(const Original& original, const std::v
         }
         if (!proofs[i].holds) {
             link[outer ? "growth_m" : "protrusion_m"] = json_number<Json>(proofs[i].growth);
-            link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
+            if (proofs[i].cavity) {
+                link["cavity"] = true;
+            } else {
+                link[outer ? "triangle" : "sphere"] = outer ? proofs[i].triangle : proofs[i].sphere;
+            }
             const Vec3& p = proofs[i].witness;
             link[outer ? "witness_m" : "center_m"] = {p.x, p.y, p.z};
         }

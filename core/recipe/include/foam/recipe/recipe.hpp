@@ -3,6 +3,7 @@
 #pragma once
 
 #include <foam/geometry/clip_plane.hpp>
+#include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/robot/robot.hpp>
@@ -66,6 +67,7 @@ struct LinkOverride {
     std::optional<double> weight, max_protrusion; ///< max_protrusion: m
     std::optional<double> pad;                    ///< m
     std::optional<Hollow> hollow;
+    std::optional<Covers> covers;
     std::optional<std::vector<Sphere>> keep;      ///< in the link's frame
     std::optional<std::vector<ClipPlane>> clip;   ///< in the link's frame
     Location where;
@@ -140,6 +142,7 @@ struct Recipe : StageChain {
     std::optional<CoveredGeometry> cover;        ///< of a robot; absent: its collision geometry
     std::optional<double> pad;                   ///< m; added to all radii
     std::optional<Hollow> hollow;                ///< absent: keep
+    std::optional<Covers> covers;                ///< absent: solid
     Guarantee guarantee = Guarantee::outer;
     bool self_collision = false;     ///< keep links apart whose geometry is apart in this pose
     Location self_collision_where;   ///< of the pose
@@ -167,6 +170,7 @@ struct Recipe : StageChain {
         std::vector<ClipPlane> clip;          ///< in the link's frame
         double pad = 0;                       ///< m
         Hollow hollow = Hollow::keep;
+        Covers covers = Covers::solid;
         std::vector<Sphere> keep; ///< in the link's frame; they count as spheres of the link
     };
     LinkRecipe for_link(const std::string& link) const;

@@ -3,6 +3,7 @@
 
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/mesh.hpp>
+#include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 
 #include <cstdint>
@@ -20,9 +21,32 @@ struct CoverProof {
 /// Runs the proof of certify().
 CoverProof prove_cover(const Solid& solid, const Elements& elements, int depth = 40);
 
+/// Runs the proof of certify() for the surface alone, up to the first gap.
+Certificate certify_surface(const Solid& solid, const Elements& elements);
+
 /// Runs the proof of certify() up to the first gap. If there is one, the certificate does not hold, and its other
 /// figures mean nothing: the worst gap takes many times as long to find.
 Certificate certify_to_first_gap(const Solid& solid, const Elements& elements);
+
+/// The result of the proof that elements leave no cavity in a solid.
+struct SolidProof {
+    /// A part of an element's surface that lies inside the solid and in no other element, as far as is proved.
+    struct Open {
+        std::uint32_t element = 0;
+        std::vector<Vec3> points; ///< whose hull holds the part, and one beside it
+    };
+    bool holds = false;
+    bool found = false; ///< there is a cavity
+    Vec3 witness{};     ///< of the solid; outside all elements if `found`
+    double depth = 0;   ///< m, its distance from them
+    std::size_t pieces = 0;
+    std::vector<Open> open;
+};
+
+/// Proves that elements which hold the surface of a solid hold the solid: that they leave no cavity in it. Parts that are
+/// not closed have no inside. docs/dev/certificate.md has the argument. `all`: finds all open parts, else it stops at
+/// the first one.
+SolidProof prove_solid(const Solid& solid, const Elements& elements, bool all = false);
 
 /// Returns pieces of the triangles of `surface`. Every point of the surface lies in a piece, or at least 10⁻⁹ of the
 /// surface's size inside the spheres. Pieces that cross the boundary of the spheres have edges of at most 1/500 of the

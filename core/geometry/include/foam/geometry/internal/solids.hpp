@@ -14,6 +14,9 @@ inline namespace [[gnu::visibility("default")]] geometry {
 /// at once: proofs need nothing but the surface. Its surface is wound as given.
 std::shared_ptr<const Solid> quick_solid(std::vector<Solid::Part> parts);
 
+/// Returns whether covers are to hold the inside of any part.
+bool has_solid_parts(const Solid& solid);
+
 /// Returns bounds on the figures, in the time that a proof takes. All of the elements counts as excess, as if the solid
 /// had no volume. Their surface counts as exposed, at the largest possible distance: the diagonal of the box around
 /// both.

@@ -77,6 +77,7 @@ struct LoadedLink {
     std::vector<CollisionElement> elements; ///< none if the link was not to be loaded
     std::vector<StageReport> loaders;       ///< of its meshes
     std::optional<Error> error;             ///< why it could not be loaded, or not be worked on
+    Covers covers = Covers::solid;          ///< what elements are to hold
 };
 
 /// The links of a robot that have collision geometry, in its order.
