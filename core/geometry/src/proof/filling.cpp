@@ -153,7 +153,8 @@ public:
         half_ = std::max({size.x, size.y, size.z}) / 2;
     }
 
-    std::vector<Element> closed(const SolidProof& proof, double room) {
+    /// `room`: beyond what is given; `overlap`: growth of all where they overlap too little to be looked at in pieces.
+    std::vector<Element> closed(const SolidProof& proof, double room, double overlap) {
         constexpr double coarse = 1.0 / 32; // of the size
         constexpr std::size_t most_open = 50;
         if (proof.depth > coarse * half_) {
@@ -174,7 +175,11 @@ public:
                 close(proof.open[i], regions);
             }
         }
-        return orders_.filled(room);
+        std::vector<Element> elements = orders_.filled(room);
+        for (Element& e : elements) {
+            e = thin_overlap_ && is_valid(e) ? grown(e, overlap) : e;
+        }
+        return elements;
     }
 
 private:
@@ -188,15 +193,27 @@ private:
             regions.push_back({deepest.point, wide * deepest.depth});
             const Cavity cavity(solid_, elements_, regions.back(), fine * deepest.depth);
             add_corners(cavity.cells(), points_);
+        } else if (size_of(open) > least) { // not a place, but a part beyond number
+            thin_overlap_ = true;
+            return;
         }
         orders_.give(points_);
     }
+    static double size_of(const SolidProof::Open& open) {
+        Box box;
+        for (std::size_t k = 0; k + 1 < open.points.size(); ++k) {
+            box.add(open.points[k]);
+        }
+        return box.diagonal();
+    }
+
     static constexpr double least_step = 1e-6; ///< of half the size
     const Solid& solid_;
     const SolidData& data_;
     std::span<const Element> elements_;
     Orders orders_;
     double half_;
+    bool thin_overlap_ = false;
     std::vector<Vec3> points_;
 };
 
@@ -210,11 +227,14 @@ Elements grown_to_fill(const Solid& solid, Elements given) {
     constexpr int rounds = 14;
     constexpr double least_room = 1e-9, more = 4; // of the size; from round to round
     std::vector<Element> elements(given.begin(), given.end());
-    double room = least_room * solid.bounds().diagonal();
+    constexpr double least_overlap = 4e-6, most_overlap = 1e-3; // of the size
+    const double size = solid.bounds().diagonal();
+    double room = least_room * size, overlap = least_overlap * size;
     for (int round = 0; round < rounds && !proof.holds; ++round, room *= more) {
         proof = prove_solid(solid, elements, true);
         if (!proof.holds) {
-            elements = Filling(solid, elements).closed(proof, room);
+            elements = Filling(solid, elements).closed(proof, room, overlap);
+            overlap = std::min(more * overlap, most_overlap * size);
         }
     }
     if (!proof.holds && !prove_solid(solid, elements).holds) { // one element then holds all

@@ -75,7 +75,8 @@ std::vector<Plane> creases_of(const Mesh& mesh) {
     return planes;
 }
 
-/// Returns the planes of the flat parts of the surface that are a share of it, large ones first: sheets of metal meet there.
+/// Returns the planes of the flat parts of the surface that are a share of it, large ones first: sheets of metal meet
+/// there.
 std::vector<Plane> faces_of(const Mesh& mesh) {
     constexpr double share = 0.05;
     constexpr std::size_t most = 12, most_triangles = 20'000; // finer meshes are round
@@ -212,7 +213,8 @@ struct Halved {
 static std::vector<Vec3> corners_of(const Box& box) {
     std::vector<Vec3> corners;
     for (int k = 0; k < 8; ++k) {
-        corners.push_back({k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y, k & 4 ? box.high.z : box.low.z});
+        corners.push_back(
+            {k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y, k & 4 ? box.high.z : box.low.z});
     }
     return corners;
 }

@@ -1,8 +1,8 @@
 // A body as cells of a grid, the bricks they make, and the cuts between them.
 #pragma once
 
-#include "cloud.hpp"
 #include "by_spheres/measured/occupancy.hpp"
+#include "cloud.hpp"
 
 #include <foam/geometry/element.hpp>
 #include <foam/geometry/solid.hpp>
@@ -72,7 +72,7 @@ std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& pl
 /// A surface in units, and what is known of its inside.
 struct Body {
     Polygons surface;
-    std::vector<std::uint32_t> vertices; ///< of each corner of the surface, the number of its vertex
+    std::vector<std::uint32_t> vertices;     ///< of each corner of the surface, the number of its vertex
     bool has_inside = false;                 ///< also of an open surface that encloses most of a volume
     bool is_filled = false;                  ///< pieces are to hold what is inside
     bool volumes_by_surface = false;         ///< the surface tells the volumes of the body's parts
@@ -103,8 +103,8 @@ struct BodyOfSolid {
 BodyOfSolid body_of(const Solid& solid);
 
 /// Returns bricks that hold the surface together: space is halved across the longest side of the brick with the
-/// longest, again and again, until `count` bricks have a part of the surface. Of a body that is filled, bricks inside it
-/// come with them. Much quicker than bricks_of(), for elements that are larger than bricks.
+/// longest, again and again, until `count` bricks have a part of the surface. Of a body that is filled, bricks inside
+/// it come with them. Much quicker than bricks_of(), for elements that are larger than bricks.
 std::vector<Brick> halved_bricks(const Body& body, std::size_t count);
 
 /// The price of putting points into one element: its volume in cubic units.

@@ -1,9 +1,9 @@
 // The pieces that a body is cut into: their prices, and whole partitions.
 #pragma once
 
+#include "by_spheres/measured/occupancy.hpp"
 #include "cells.hpp"
 #include "cloud.hpp"
-#include "by_spheres/measured/occupancy.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -81,11 +81,11 @@ struct RecutPlan {
 };
 
 /// Makes the price less: two neighbours are cut anew by a plane that is moved and tilted, and two pieces
-/// become one where another gains more from being cut in two. The number of pieces stays. `creases`: planes to try.
-void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> creases);
+/// become one where another gains more from being cut in two. The number of pieces stays. `faces`: planes to try.
+void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> faces);
 /// Cuts pieces until there are `count`, or none can be cut: the piece that gains most by its cut is the next.
 void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan,
-                 std::span<const Plane> creases);
+                 std::span<const Plane> faces);
 
 /// Sums of the volumes of hulls, which hardly overlap. No other element around a piece has less volume.
 class SumOfHulls : public Pricing {
@@ -126,9 +126,7 @@ public:
     /// and pricing must outlive this.
     Partitions(const Body& body, const Pricing& pricing, Price price, bool only_hulls, const PartitionPlan& plan)
         : body_(body), pricing_(pricing), price_(std::move(price)), only_hulls_(only_hulls), plan_(plan),
-          planes_(body.faces) {
-        planes_.insert(planes_.end(), body.creases.begin(), body.creases.end());
-    }
+          planes_(body.faces) {}
 
     /// Returns the better partition that merging and splitting give, recut. Splitting alone does not get to a body with
     /// several legs: the first cut between two of them gains nothing.
@@ -161,7 +159,7 @@ private:
     const Price price_;
     const bool only_hulls_;
     const PartitionPlan plan_;
-    std::vector<Plane> planes_; ///< to try
+    const std::span<const Plane> planes_;              ///< of the body, to try
     std::map<std::size_t, Merged> merged_;             ///< by the number asked for
     std::map<std::size_t, std::vector<Brick>> bricks_; ///< of hulls, the same
     /// By number of bricks: partitions by number of pieces.

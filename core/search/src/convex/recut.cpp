@@ -38,8 +38,8 @@ Plane between(const Piece& a, const Piece& b) {
 
 class Recutting {
 public:
-    Recutting(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> creases)
-        : partition_(partition), pricing_(pricing), plan_(plan), creases_(creases) {
+    Recutting(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> faces)
+        : partition_(partition), pricing_(pricing), plan_(plan), faces_(faces) {
         changed_.assign(partition.pieces.size(), 1);
     }
 
@@ -92,7 +92,7 @@ private:
                     return;
                 }
                 CutSearch search(named(piece.bricks), beside.price);
-                const Cut start = search.start(creases_);
+                const Cut start = search.start(faces_);
                 piece.split = std::isfinite(start.price) ? search.improved(start, plan_.split_tries) : start;
                 piece.split_gain = beside.now - piece.split->price;
             }
@@ -245,19 +245,19 @@ private:
     Partition& partition_;
     const Pricing& pricing_;
     const RecutPlan plan_;
-    const std::span<const Plane> creases_; ///< of the body
+    const std::span<const Plane> faces_; ///< of the body
     std::vector<char> changed_;
 };
 
 } // namespace
 
-void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> creases) {
-    Recutting(partition, pricing, plan, creases).run();
+void recut(Partition& partition, const Pricing& pricing, const RecutPlan& plan, std::span<const Plane> faces) {
+    Recutting(partition, pricing, plan, faces).run();
 }
 
 void split_until(Partition& partition, const Pricing& pricing, std::size_t count, const RecutPlan& plan,
-                 std::span<const Plane> creases) {
-    Recutting(partition, pricing, plan, creases).split_until(count);
+                 std::span<const Plane> faces) {
+    Recutting(partition, pricing, plan, faces).split_until(count);
 }
 
 } // namespace foam::inline search::convex

@@ -1,7 +1,7 @@
-#include "cells.hpp"
-#include "by_spheres/portfolio/problem.hpp"
-#include "least_fit.hpp"
 #include "search.hpp"
+#include "by_spheres/portfolio/problem.hpp"
+#include "cells.hpp"
+#include "least_fit.hpp"
 #include "pieces.hpp"
 
 #include <foam/base/error.hpp>
@@ -144,7 +144,9 @@ struct Search::Data {
         if (!pricing_ && has(Element::Kind::hull)) {
             pricing_ = std::make_unique<SumOfHulls>();
         } else if (!pricing_) {
-            const auto fit_around = [this](std::span<const Vec3> points) { return quick_fit_around(few_extremes_of(points)); };
+            const auto fit_around = [this](std::span<const Vec3> points) {
+                return quick_fit_around(few_extremes_of(points));
+            };
             pricing_ = std::make_unique<VolumeOutside>(occupancy(), fit_around, solid.volume() > 0);
         }
         return *pricing_;
@@ -192,10 +194,9 @@ struct Search::Data {
             if (kind == Element::Kind::hull) {
                 level.add(hull_of(points));
             } else {
-                const Fit fit = kind == Element::Kind::sphere
-                                            ? least_sphere(cloud)
-                                            : least_protrusion(kind, cloud, solid, options.objective,
-                                                                       options.effort, options.axis_aligned);
+                const Fit fit = kind == Element::Kind::sphere ? least_sphere(cloud)
+                                                              : least_protrusion(kind, cloud, solid, options.objective,
+                                                                                 options.effort, options.axis_aligned);
                 level.add(element_of(fit, cloud));
             }
             take_better(best, {proved(solid, std::move(level)), {}});
@@ -286,16 +287,14 @@ struct Search::Data {
         const std::vector<Element> start = elements_of(partition, Effort::fast);
         Rated best{cover_by(descended(start)), {}};
         const bool descends_by_figure = options.objective == Objective::excess && solid.volume() > 0;
-        constexpr std::size_t few = 4; // elements that may fit exactly
-        if (!descends_by_figure || start.size() <= few) {
+        if (!descends_by_figure || body().body.is_filled) { // growth of what the descent left open may take it all back
             take_better(best, {cover_by(start), {}});
         }
         return best;
     }
     /// Returns the volume of the element around points.
     double price_of_one(std::span<const Vec3> points) const {
-        return has(Element::Kind::hull) ? volume_of_hull(points)
-                                        : volume(quick_fit_around(few_extremes_of(points)));
+        return has(Element::Kind::hull) ? volume_of_hull(points) : volume(quick_fit_around(few_extremes_of(points)));
     }
     Partitions& partitions() {
         if (!partitions_) {
@@ -357,4 +356,4 @@ Element least_element(Element::Kind kind, std::span<const Vec3> points, Effort e
     return convex::element_of(convex::least_fit(kind, cloud, effort, axis_aligned), cloud);
 }
 
-} // namespace foam::search
+} // namespace foam::inline search
