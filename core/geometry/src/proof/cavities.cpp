@@ -397,12 +397,11 @@ private:
     /// Notes the open patch, with the deepest point of the cavity that is found from the witness.
     void fail(std::uint32_t i, const Vec3& witness, bool found) {
         proof_.holds = false;
-        constexpr double steps = 4, least_step = 1e-9; // of the patch; of the extent
-        const double least = least_step * extent_;
+        constexpr double first_step = 0.02, least_step = 1e-9; // of the extent
         DeepPoint deepest{witness + origin_, 0};
         if (proof_.open.size() < most_climbs) {
-            const double step = std::max(steps * patch_.radius, least);
-            deepest = deepest_from(SolidAccess::data(solid_), elements_, witness + origin_, step, found ? step : least);
+            deepest = deepest_from(SolidAccess::data(solid_), elements_, witness + origin_, first_step * extent_,
+                                   (found ? first_step : least_step) * extent_);
         }
         if (proof_.open.empty() || deepest.depth > proof_.depth) {
             proof_.witness = deepest.point;

@@ -185,9 +185,9 @@ public:
 private:
     /// Closes the cavity at an open part of a surface, around its deepest point that is found.
     void close(const SolidProof::Open& open, std::vector<Cell>& regions) {
-        constexpr double wide = 8, fine = 0.5; // of the depth
+        constexpr double wide = 8, fine = 0.5, first_step = 0.02; // of the depth; of half the size
         const double least = least_step * half_;
-        const DeepPoint deepest = deepest_from(data_, elements_, open.points.back(), least, least);
+        const DeepPoint deepest = deepest_from(data_, elements_, open.points.back(), first_step * half_, least);
         points_ = open.points;
         if (deepest.depth > 0) {
             regions.push_back({deepest.point, wide * deepest.depth});
