@@ -206,6 +206,19 @@ TEST(SolidProof, AnEllipsoidAboutTheMiddleOfAPieceHoldsIt) {
     EXPECT_FALSE(proof.found);
 }
 
+/// Elements at random places in the box of edges 1, 1.3 and 0.7.
+std::vector<Element> strewn(Kind kind, Random& random) {
+    std::vector<Element> elements;
+    const int count = 8 + static_cast<int>(random.below(30));
+    for (int k = 0; k < count; ++k) {
+        Element e = around_cube(kind, random.uniform(0.15, 0.6), 1e-3);
+        e.pose = test::random_pose(random, 0);
+        e.pose.translation = {random.uniform(-0.5, 0.5), random.uniform(-0.65, 0.65), random.uniform(-0.35, 0.35)};
+        elements.push_back(e);
+    }
+    return elements;
+}
+
 /// Random elements in a box, grown until its surface lies in them: whether they fill it is told by a dense sample.
 TEST_P(EachKindFills, RandomCoversAreFullWhereProvedAndHollowWhereFound) {
     Random random(derive_seed(3, to_string(GetParam())));
@@ -217,14 +230,7 @@ TEST_P(EachKindFills, RandomCoversAreFullWhereProvedAndHollowWhereFound) {
     int full = 0, hollow = 0;
     for (int round = 0; round < rounds; ++round) {
         const auto solid = solid_box({1, 1.3, 0.7});
-        std::vector<Element> elements;
-        const int count = 8 + static_cast<int>(random.below(30));
-        for (int k = 0; k < count; ++k) {
-            Element e = around_cube(GetParam(), random.uniform(0.15, 0.6), 1e-3);
-            e.pose = test::random_pose(random, 0);
-            e.pose.translation = {random.uniform(-0.5, 0.5), random.uniform(-0.65, 0.65), random.uniform(-0.35, 0.35)};
-            elements.push_back(e);
-        }
+        const std::vector<Element> elements = strewn(GetParam(), random);
         const Elements grown = grown_to_cover(*as_surface(*solid), Elements(elements));
         const SolidProof proof = prove_solid(*solid, grown);
         full += proof.holds;
@@ -246,21 +252,15 @@ TEST_P(EachKindFills, RandomCoversAreFullWhereProvedAndHollowWhereFound) {
         }
     }
     EXPECT_GT(full, 0);
-    EXPECT_TRUE(hollow > 0 || GetParam() == Kind::sphere || GetParam() == Kind::capsule); // spheres that grow to the surface leave hardly a cavity
+    // What is round in all directions and grows to the surface leaves hardly a cavity.
+    EXPECT_TRUE(hollow > 0 || GetParam() == Kind::sphere || GetParam() == Kind::capsule);
 }
 
 TEST_P(EachKindFills, GrowthClosesCavities) {
     Random random(derive_seed(4, to_string(GetParam())));
     for (int round = 0; round < 8; ++round) {
         const auto solid = solid_box({1, 1.3, 0.7});
-        std::vector<Element> elements;
-        const int count = 8 + static_cast<int>(random.below(30));
-        for (int k = 0; k < count; ++k) {
-            Element e = around_cube(GetParam(), random.uniform(0.15, 0.6), 1e-3);
-            e.pose = test::random_pose(random, 0);
-            e.pose.translation = {random.uniform(-0.5, 0.5), random.uniform(-0.65, 0.65), random.uniform(-0.35, 0.35)};
-            elements.push_back(e);
-        }
+        const std::vector<Element> elements = strewn(GetParam(), random);
         const Elements shell = grown_to_cover(*as_surface(*solid), Elements(elements));
         const Elements grown = grown_to_cover(*solid, shell);
         EXPECT_TRUE(certify(*solid, grown).holds) << round;

@@ -21,25 +21,30 @@
 namespace foam::inline runtime {
 namespace {
 
+/// Returns the finished link; null if it has no elements.
+const FinishedLink* finished_of(const LinkWork& link, const FinishedModel& finished) {
+    const auto found = std::find_if(finished.links.begin(), finished.links.end(),
+                                    [&](const FinishedLink& one) { return one.work == &link; });
+    return found == finished.links.end() ? nullptr : &*found;
+}
+
 /// Returns the measures of a link; where its inside counts as geometry, with the missing volume of the geometry as it is,
 /// of which the proof is.
 Measures without_filling(const LinkWork& link, const FinishedModel& finished) {
     Measures measures = link.report.measures;
-    for (const FinishedLink& one : finished.links) {
-        if (one.work == &link && link.report.filled > 0) {
-            measures.volume = one.solid->volume();
-            const bool filled = measures.certified && one.solid->covers() == Covers::solid;
-            measures.missing_volume = filled ? 0 : missing_volume(*one.solid, one.elements);
-        }
+    const FinishedLink* const one = finished_of(link, finished);
+    if (one && link.report.filled > 0) {
+        measures.volume = one->solid->volume();
+        const bool filled = measures.certified && one->solid->covers() == Covers::solid;
+        measures.missing_volume = filled ? 0 : missing_volume(*one->solid, one->elements);
     }
     return measures;
 }
 
 /// Returns why the surface of a link alone is covered; empty if all of it is.
 std::string why_surface_alone(const LinkWork& link, const FinishedModel& finished) {
-    const auto found = std::find_if(finished.links.begin(), finished.links.end(),
-                                    [&](const FinishedLink& one) { return one.work == &link; });
-    return found == finished.links.end() ? "" : foam::why_surface_alone(*found->solid);
+    const FinishedLink* const one = finished_of(link, finished);
+    return one ? foam::why_surface_alone(*one->solid) : "";
 }
 
 /// Returns the verdict: the links for which the guarantee is proved. A link without elements is left out. Every file

@@ -10,7 +10,7 @@
 namespace foam::inline geometry {
 
 /// Returns the largest distance from a solid of a point of the element's surface that is exposed, by branch and bound:
-/// no such point is farther by more than 1 %, unless there are parts beyond number that touch others. `known`: a
+/// no such point is farther by more than 1 %, unless 4,000 pieces of the surface do not suffice to tell. `known`: a
 /// distance that is reached. `near`: the other elements that come near. `exposed(point, normal)`: whether a point of
 /// the surface is.
 double farthest_exposed(const Solid& solid, const Element& element, std::span<const Element> near, double known,

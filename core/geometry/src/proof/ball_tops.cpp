@@ -149,7 +149,7 @@ bool BallTops::add_top(const Circle& circle, std::uint32_t k, const Vec3& p, dou
         })) {
         return true;
     }
-    tops.push_back({p, error, normalized(normals[0] + normals[1] + normals[2])});
+    tops.push_back({p, error});
     return true;
 }
 

@@ -13,7 +13,6 @@ namespace foam::inline geometry {
 struct BallTop {
     Vec3 point;
     double error; ///< it lies this near
-    Vec3 away;    ///< unit; leads away from the balls that meet there
 };
 
 /// Finds tops of the space outside of balls. docs/dev/certificate.md has the argument.
@@ -32,7 +31,6 @@ private:
         Vec3 middle, axis;
         double radius;
     };
-    enum class Crossing { none, held, crossed };
 
     bool find_near(std::uint32_t i);
     /// Returns whether the circle is held by a ball; else sets crossed_.

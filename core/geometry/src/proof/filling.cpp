@@ -220,7 +220,7 @@ private:
 } // namespace
 
 Elements grown_to_fill(const Solid& solid, Elements given) {
-    SolidProof proof = prove_solid(solid, given);
+    SolidProof proof = prove_solid(solid, given, true);
     if (proof.holds) {
         return given;
     }
@@ -230,14 +230,13 @@ Elements grown_to_fill(const Solid& solid, Elements given) {
     constexpr double least_overlap = 4e-6, most_overlap = 1e-3; // of the size
     const double size = solid.bounds().diagonal();
     double room = least_room * size, overlap = least_overlap * size;
-    for (int round = 0; round < rounds && !proof.holds; ++round, room *= more) {
+    for (int round = 0; round < rounds && !proof.holds; ++round) {
+        elements = Filling(solid, elements).closed(proof, room, overlap);
+        room *= more;
+        overlap = std::min(more * overlap, most_overlap * size);
         proof = prove_solid(solid, elements, true);
-        if (!proof.holds) {
-            elements = Filling(solid, elements).closed(proof, room, overlap);
-            overlap = std::min(more * overlap, most_overlap * size);
-        }
     }
-    if (!proof.holds && !prove_solid(solid, elements).holds) { // one element then holds all
+    if (!proof.holds) { // one element then holds all
         const auto first = std::find_if(elements.begin(), elements.end(), is_valid);
         *first = enlarged(*first, solid.surface().vertices, room);
     }

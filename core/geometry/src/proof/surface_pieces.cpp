@@ -1,5 +1,7 @@
 #include "proof/surface_pieces.hpp"
 
+#include "convex/polytope.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,14 +12,6 @@ Vec3 unit_vector(int axis, double side) {
     Vec3 v{};
     v[axis] = side;
     return v;
-}
-
-Vec3 middle_of(const Polytope& hull) {
-    Vec3 sum{};
-    for (const Vec3& v : hull.surface.vertices) {
-        sum += v / static_cast<double>(hull.surface.vertices.size());
-    }
-    return sum;
 }
 
 } // namespace
@@ -62,7 +56,7 @@ ElementSurface::ElementSurface(const Element& element, const Vec3& origin)
         }
         break;
     case Element::Kind::hull:
-        inside_ = pose_ * middle_of(*element.hull);
+        inside_ = pose_ * inner_point(*element.hull);
         add_hull(*element.hull);
         break;
     case Element::Kind::ellipsoid:

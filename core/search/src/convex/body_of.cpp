@@ -188,14 +188,6 @@ BodyOfSolid body_of(const Solid& solid) {
     return result;
 }
 
-static Vec3 mean_of(std::span<const Vec3> points) {
-    Vec3 sum{};
-    for (const Vec3& p : points) {
-        sum += p / static_cast<double>(points.size());
-    }
-    return sum;
-}
-
 void add_corners_inside(const Body& body, std::span<const Vec3> corners, std::vector<Vec3>& points) {
     constexpr double inwards = 1e-6; // of the way to the middle of the region
     const Vec3 middle = mean_of(corners);
@@ -219,22 +211,30 @@ static std::vector<Vec3> corners_of(const Box& box) {
     return corners;
 }
 
-/// Returns the brick of a box: of its part of the surface and, if the body is filled, of its corners inside.
-static Brick brick_in(const Body& body, HullOfPoints& hull, Polygons surface, const Box& cell) {
-    std::vector<Vec3> points = surface.corners;
-    if (!body.is_filled) {
-        return points.empty() ? Brick{} : brick_around(hull, std::move(points), std::move(surface));
-    }
-    if (surface.ends.empty() && !body.inside(cell.center())) {
+/// Returns the brick of a part of the surface and of what is inside the regions; without points if there is nothing.
+static Brick brick_of(const Body& body, HullOfPoints& hull, Polygons surface, std::vector<Region> regions) {
+    if (surface.ends.empty() && (regions.empty() || !body.inside(mean_of(regions.front().corners)))) {
         return {};
     }
-    add_corners_inside(body, corners_of(cell), points);
+    std::vector<Vec3> points = surface.corners;
+    for (const Region& region : regions) {
+        add_corners_inside(body, region.corners, points);
+    }
     if (points.empty()) {
         return {};
     }
     Brick brick = brick_around(hull, std::move(points), std::move(surface));
-    brick.regions.push_back(region_around(hull, corners_of(cell)));
+    brick.regions = std::move(regions);
     return brick;
+}
+
+/// Returns the brick of a box.
+static Brick brick_in(const Body& body, HullOfPoints& hull, Polygons surface, const Box& cell) {
+    std::vector<Region> regions;
+    if (body.is_filled) {
+        regions.push_back(region_around(hull, corners_of(cell)));
+    }
+    return brick_of(body, hull, std::move(surface), std::move(regions));
 }
 
 /// Cuts bricks along the plane of a large flat part of the surface: what sheets that meet there have of them is convex
@@ -242,20 +242,12 @@ static Brick brick_in(const Body& body, HullOfPoints& hull, Polygons surface, co
 static void cut_along(const Body& body, HullOfPoints& hull, const Plane& face, std::vector<Brick>& bricks) {
     const std::size_t count = bricks.size();
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<Brick, 2> parts = cut(hull, bricks[i], face);
-        for (Brick& part : parts) {
-            std::vector<Vec3> points = part.surface.corners;
-            for (const Region& region : part.regions) {
-                add_corners_inside(body, region.corners, points);
-            }
-            std::vector<Region> regions = std::move(part.regions);
-            const bool is_inside = part.surface.ends.empty() && !regions.empty();
-            if (points.empty() || (is_inside && !body.inside(mean_of(regions.front().corners)))) {
-                part = {};
-                continue;
-            }
-            part = brick_around(hull, std::move(points), std::move(part.surface));
-            part.regions = std::move(regions);
+        std::array<Polygons, 2> surface;
+        cut(bricks[i].surface, face, surface[0], surface[1]);
+        std::array<std::vector<Region>, 2> regions = cut(hull, bricks[i].regions, face);
+        std::array<Brick, 2> parts;
+        for (std::size_t side = 0; side < 2; ++side) {
+            parts[side] = brick_of(body, hull, std::move(surface[side]), std::move(regions[side]));
         }
         if (!parts[0].points.empty() && !parts[1].points.empty()) {
             bricks.push_back(std::move(parts[1]));

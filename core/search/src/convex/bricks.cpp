@@ -83,37 +83,22 @@ void cut(const Polygons& whole, const Plane& plane, Polygons& below, Polygons& a
     }
 }
 
-Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface) {
-    // The search needs no more corners than this, in units. Elements are made around the surface itself.
-    constexpr double coarse = 1e-3;
-    Brick brick;
-    if (!hull.run(points, coarse)) { // thinner than that
-        hull.run(points);
+Vec3 mean_of(std::span<const Vec3> points) {
+    Vec3 sum{};
+    for (const Vec3& p : points) {
+        sum += p;
     }
+    return sum / static_cast<double>(points.size());
+}
+
+/// Returns the vertices of a hull that was made of points, and its edges between them.
+static Region region_of(const HullOfPoints& hull, const std::vector<Vec3>& points) {
+    Region region;
     const std::vector<std::uint32_t> vertices = hull.vertices();
     std::vector<std::uint32_t> name(points.size());
     for (std::uint32_t i = 0; i < vertices.size(); ++i) {
         name[vertices[i]] = i;
-        brick.points.push_back(points[vertices[i]]);
-        brick.box.add(points[vertices[i]]);
-    }
-    brick.edges = hull.edges();
-    for (auto& [a, b] : brick.edges) {
-        a = name[a];
-        b = name[b];
-    }
-    brick.surface = std::move(surface);
-    return brick;
-}
-
-Region region_around(HullOfPoints& hull, std::vector<Vec3> corners) {
-    Region region;
-    hull.run(corners);
-    const std::vector<std::uint32_t> vertices = hull.vertices();
-    std::vector<std::uint32_t> name(corners.size());
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-        name[vertices[i]] = i;
-        region.corners.push_back(corners[vertices[i]]);
+        region.corners.push_back(points[vertices[i]]);
     }
     region.edges = hull.edges();
     for (auto& [a, b] : region.edges) {
@@ -121,6 +106,28 @@ Region region_around(HullOfPoints& hull, std::vector<Vec3> corners) {
         b = name[b];
     }
     return region;
+}
+
+Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface) {
+    // The search needs no more corners than this, in units. Elements are made around the surface itself.
+    constexpr double coarse = 1e-3;
+    if (!hull.run(points, coarse)) { // thinner than that
+        hull.run(points);
+    }
+    Region region = region_of(hull, points);
+    Brick brick;
+    for (const Vec3& p : region.corners) {
+        brick.box.add(p);
+    }
+    brick.points = std::move(region.corners);
+    brick.edges = std::move(region.edges);
+    brick.surface = std::move(surface);
+    return brick;
+}
+
+Region region_around(HullOfPoints& hull, const std::vector<Vec3>& corners) {
+    hull.run(corners);
+    return region_of(hull, corners);
 }
 
 /// Appends the corners of the parts of a convex region below and above a plane.
@@ -157,6 +164,20 @@ static void append_parts(std::span<const Vec3> corners, std::span<const std::arr
     }
 }
 
+std::array<std::vector<Region>, 2> cut(HullOfPoints& hull, std::span<const Region> regions, const Plane& plane) {
+    std::array<std::vector<Region>, 2> parts;
+    for (const Region& region : regions) {
+        std::array<std::vector<Vec3>, 2> corners;
+        append_parts(region.corners, region.edges, plane, corners[0], corners[1]);
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (!corners[side].empty()) {
+                parts[side].push_back(region_around(hull, corners[side]));
+            }
+        }
+    }
+    return parts;
+}
+
 std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane) {
     std::array<std::vector<Vec3>, 2> points;
     std::array<Polygons, 2> surface;
@@ -167,15 +188,9 @@ std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& pl
     }
     std::array<Brick, 2> parts{brick_around(hull, std::move(points[0]), std::move(surface[0])),
                                brick_around(hull, std::move(points[1]), std::move(surface[1]))};
-    for (const Region& region : brick.regions) {
-        std::array<std::vector<Vec3>, 2> corners;
-        append_parts(region.corners, region.edges, plane, corners[0], corners[1]);
-        for (std::size_t side = 0; side < 2; ++side) {
-            if (!corners[side].empty()) {
-                parts[side].regions.push_back(region_around(hull, std::move(corners[side])));
-            }
-        }
-    }
+    std::array<std::vector<Region>, 2> regions = cut(hull, brick.regions, plane);
+    parts[0].regions = std::move(regions[0]);
+    parts[1].regions = std::move(regions[1]);
     return parts;
 }
 

@@ -65,7 +65,11 @@ struct Brick {
 /// Returns the brick around points; without volume it has its points and no edge.
 Brick brick_around(HullOfPoints& hull, std::vector<Vec3> points, Polygons surface);
 /// Returns the convex region of these corners.
-Region region_around(HullOfPoints& hull, std::vector<Vec3> corners);
+Region region_around(HullOfPoints& hull, const std::vector<Vec3>& corners);
+/// Returns the regions on both sides of a plane.
+std::array<std::vector<Region>, 2> cut(HullOfPoints& hull, std::span<const Region> regions, const Plane& plane);
+/// Returns the mean of one or more points.
+Vec3 mean_of(std::span<const Vec3> points);
 /// Returns the two parts of a brick on both sides of a plane; a part that is empty has no points.
 std::array<Brick, 2> cut(HullOfPoints& hull, const Brick& brick, const Plane& plane);
 

@@ -11,17 +11,9 @@
 namespace foam::inline search::convex {
 namespace {
 
-Vec3 middle_of(const std::vector<Vec3>& points) {
-    Vec3 sum{};
-    for (const Vec3& p : points) {
-        sum += p;
-    }
-    return sum / static_cast<double>(points.size());
-}
-
 /// Returns the plane half-way between two pieces along the line of their middles.
 Plane between(const Piece& a, const Piece& b) {
-    const Vec3 ma = middle_of(a.hull), mb = middle_of(b.hull);
+    const Vec3 ma = mean_of(a.hull), mb = mean_of(b.hull);
     Vec3 normal = normalized(mb - ma);
     if (normal == Vec3{}) {
         normal = {1, 0, 0};
