@@ -22,6 +22,7 @@ namespace {
 constexpr std::uint32_t halvings = 120;
 /// Limits on the pieces of an element's surface; those that are open at the limit count as open.
 constexpr std::size_t most_pieces = 20'000, most_pieces_of_cuts = 2'000;
+constexpr std::size_t most_open = 16; ///< pieces of an element that are noted; then the next element's turn comes
 constexpr double smallest_piece = 1e-8; ///< share of the extent
 constexpr int levels_without_distance = 6;
 constexpr std::size_t most_climbs = 100; ///< to the deepest points of cavities
@@ -112,10 +113,11 @@ private:
     void look_at(std::uint32_t i) {
         const ElementSurface surface(elements_[i], origin_);
         left_ = most_pieces;
+        const std::size_t open_before = proof_.open.size();
         known_ = {};
         patch_.element = i;
         waiting_.assign(surface.pieces().begin(), surface.pieces().end());
-        while (!waiting_.empty() && !done()) {
+        while (!waiting_.empty() && !done() && proof_.open.size() < open_before + most_open) {
             asking_.check();
             const SurfacePiece piece = waiting_.back();
             waiting_.pop_back();

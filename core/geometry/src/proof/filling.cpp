@@ -217,6 +217,32 @@ private:
     std::vector<Vec3> points_;
 };
 
+/// Returns the elements with one of them grown around the whole solid: the one that is least then.
+std::vector<Element> with_one_around(const Solid& solid, std::vector<Element> elements, double room) {
+    const std::vector<Vec3>& vertices = solid.surface().vertices;
+    Element* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (Element& e : elements) {
+        if (is_valid(e)) {
+            const double whole = volume(enlarged(e, vertices, room));
+            if (!best || whole < least) {
+                best = &e;
+                least = whole;
+            }
+        }
+    }
+    *best = enlarged(*best, vertices, room);
+    return elements;
+}
+
+double sum_of_volumes(std::span<const Element> elements) {
+    double sum = 0;
+    for (const Element& e : elements) {
+        sum += is_valid(e) ? volume(e) : 0;
+    }
+    return sum;
+}
+
 } // namespace
 
 Elements grown_to_fill(const Solid& solid, Elements given) {
@@ -225,22 +251,23 @@ Elements grown_to_fill(const Solid& solid, Elements given) {
         return given;
     }
     constexpr int rounds = 14;
-    constexpr double least_room = 1e-9, more = 4; // of the size; from round to round
-    std::vector<Element> elements(given.begin(), given.end());
+    constexpr double least_room = 1e-9, more = 4;               // of the size; from round to round
     constexpr double least_overlap = 4e-6, most_overlap = 1e-3; // of the size
     const double size = solid.bounds().diagonal();
     double room = least_room * size, overlap = least_overlap * size;
+    const std::vector<Element> around = with_one_around(solid, {given.begin(), given.end()}, room);
+    const double most = sum_of_volumes(around);
+    std::vector<Element> elements(given.begin(), given.end());
     for (int round = 0; round < rounds && !proof.holds; ++round) {
         elements = Filling(solid, elements).closed(proof, room, overlap);
+        if (sum_of_volumes(elements) > most) {
+            return around;
+        }
         room *= more;
         overlap = std::min(more * overlap, most_overlap * size);
         proof = prove_solid(solid, elements, true);
     }
-    if (!proof.holds) { // one element then holds all
-        const auto first = std::find_if(elements.begin(), elements.end(), is_valid);
-        *first = enlarged(*first, solid.surface().vertices, room);
-    }
-    return elements;
+    return proof.holds ? Elements(std::move(elements)) : Elements(around);
 }
 
 } // namespace foam::inline geometry
