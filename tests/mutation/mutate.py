@@ -30,6 +30,7 @@ ELEMENTS = ["evaluate/element_adversary_test", "evaluate/two_elements_adversary_
             "evaluate/element_growth_ends_test", "geometry/element_certificate_test"]
 
 SOLIDS = ["geometry/solid_proof_test"]
+NERVES = ["geometry/common_point_test", "geometry/nerve_test"]
 ENLARGED = ["geometry/element_enlarged_test", "geometry/grown_to_points_test", "geometry/element_test", "geometry/element_growth_test"]
 
 MATRIX = [f"self_collision/matrix{part}_test" for part in ("", "_samples", "_geometry")]
@@ -51,6 +52,8 @@ BELONG = {
     "geometry/src/proof/element_proof.cpp": ["geometry/element_proof_test", "geometry/element_gap_test"] + ELEMENTS,
     "geometry/src/proof/bodies.cpp": ["geometry/bodies_test", "geometry/bodies_of_nothing_test", "geometry/near_bodies_test"] + ELEMENTS,
     "geometry/src/proof/cavities.cpp": SOLIDS,
+    "geometry/src/proof/nerve.cpp": NERVES + SOLIDS,
+    "geometry/src/proof/common_point.cpp": NERVES + SOLIDS,
     "geometry/src/proof/surface_pieces.cpp": SOLIDS,
     "geometry/src/proof/walls.cpp": SOLIDS,
     "geometry/src/proof/ball_tops.cpp": SOLIDS,

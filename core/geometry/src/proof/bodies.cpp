@@ -51,6 +51,17 @@ double plane_distance(std::span<const Polytope::Face> faces, const Vec3& p) {
 
 } // namespace
 
+double reach_from(const Vec3& origin, std::span<const Element> elements) {
+    double most = 0;
+    for (const Element& e : elements) {
+        if (is_valid(e)) {
+            const Box box = bounds(e);
+            most = std::max(most, distance(box.center(), origin) + box.diagonal() / 2);
+        }
+    }
+    return most;
+}
+
 Bodies::Bodies(const Elements& elements, const Vec3& origin, double extent, std::uint32_t most_halvings,
                double caution) {
     const double unit = (2 * unit_roundoff) * (most_halvings + 24) * caution;
@@ -388,4 +399,4 @@ Bodies::Gap Bodies::gap(const Piece& piece, std::span<const std::uint32_t> bodie
     return result;
 }
 
-} // namespace foam::geometry
+} // namespace foam::inline geometry

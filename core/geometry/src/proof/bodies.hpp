@@ -10,6 +10,9 @@
 
 namespace foam::inline geometry {
 
+/// Returns a length from `origin` within which all valid elements lie.
+double reach_from(const Vec3& origin, std::span<const Element> elements);
+
 /// Elements in coordinates relative to the surface's centre, each eroded by its slack: a point that a body holds, as
 /// computed, lies in the element without rounding. docs/dev/certificate.md has the argument. Elements that are not
 /// valid, and those too small or too large for the argument, hold nothing.
@@ -58,6 +61,15 @@ public:
     /// Returns bounds of how far a piece is outside of bodies.
     Gap gap(const Piece& piece, std::span<const std::uint32_t> bodies) const;
     const Vec3& center(std::uint32_t i) const { return bodies_[i].center; }
+    /// Returns a point in the body's own frame, in which its axes are those of the box, cylinder or ellipsoid.
+    Vec3 local(std::uint32_t i, const Vec3& p) const { return local(bodies_[i], p); }
+    /// Returns a direction of the body's own frame in that of the surface.
+    Vec3 turned(std::uint32_t i, const Vec3& v) const {
+        const std::array<Vec3, 3>& rows = bodies_[i].rows;
+        return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z;
+    }
+    /// Returns an axis of the body's own frame in that of the surface.
+    const Vec3& axis(std::uint32_t i, int axis) const { return bodies_[i].rows[static_cast<std::size_t>(axis)]; }
     /// Returns a length below which gaps come from rounding: elements that touch leave such a gap.
     double rounding() const { return rounding_; }
     double slack(std::uint32_t i) const { return bodies_[i].slack; }

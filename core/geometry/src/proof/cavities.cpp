@@ -4,6 +4,7 @@
 #include "proof/body_cuts.hpp"
 #include "proof/deepest.hpp"
 #include "proof/element_proof.hpp"
+#include "proof/nerve.hpp"
 #include "proof/surface_pieces.hpp"
 #include "proof/walls.hpp"
 #include "solid/solid_data.hpp"
@@ -22,15 +23,16 @@ namespace {
 constexpr std::uint32_t halvings = 120;
 /// Limits on the pieces of an element's surface; those that are open at the limit count as open.
 constexpr std::size_t most_pieces = 20'000, most_pieces_of_cuts = 2'000;
-constexpr std::size_t most_open = 16; ///< pieces of an element that are noted; then the next element's turn comes
+constexpr std::size_t most_open = 16;   ///< pieces of an element that are noted; then the next element's turn comes
 constexpr double smallest_piece = 1e-8; ///< share of the extent
 constexpr int levels_without_distance = 6;
 constexpr std::size_t most_climbs = 100; ///< to the deepest points of cavities
 /// Up: the direction whose farthest point of a cavity is looked for. Along no axis or diagonal that meshes have.
 constexpr Vec3 up{0.3746065934, 0.5523, 0.74471};
 
-/// The proof. docs/dev/certificate.md has the argument: a cavity has a topmost point, where at least three elements
-/// meet, and from which no way leads up. So a piece of the surface of element i is done if
+/// The proof. docs/dev/certificate.md has the argument: elements whose union has no void leave no cavity, as their
+/// nerve tells. Else, a cavity has a topmost point, where at least three elements meet, and from which no way leads up.
+/// So a piece of the surface of element i is done if
 /// 1. it lies in another element, or outside the solid; or
 /// 2. fewer than two elements after i meet it: each top belongs to the first of the elements that meet there; or
 /// 3. there is a way up from all its points, along which no wall of the elements from i on falls; or
@@ -39,20 +41,19 @@ class Cavities {
 public:
     Cavities(const Solid& solid, const Elements& elements, bool all)
         : solid_(solid), all_(all), origin_(solid.bounds().center()), elements_(elements.begin(), elements.end()),
-          extent_(extent()), bodies_(elements, origin_, extent_, halvings), cuts_(bodies_, halvings),
-          of_walls_(elements_, bodies_, origin_) {}
+          extent_(reach_from(origin_, elements_)), bodies_(elements, origin_, extent_, halvings),
+          cuts_(bodies_, halvings), of_walls_(elements_, bodies_) {}
 
     SolidProof run() {
         proof_.holds = true;
+        look_at_thin_ones();
         std::optional<BallTops> balls = as_balls();
+        if (proof_.holds && !balls && Nerve(bodies_, of_walls_).has_no_void()) {
+            return std::move(proof_);
+        }
         for (std::uint32_t i = 0; i < elements_.size() && !done(); ++i) {
-            if (bodies_.holds_something(i)) {
-                if (!balls || !is_proved(*balls, i)) {
-                    look_at(i);
-                }
-            } else if (is_valid(elements_[i]) && may_hold_something(elements_[i])) {
-                patch_.points = {elements_[i].pose.translation - origin_};
-                fail(i, patch_.points.front(), false);
+            if (bodies_.holds_something(i) && (!balls || !is_proved(*balls, i))) {
+                look_at(i);
             }
         }
         return std::move(proof_);
@@ -65,15 +66,13 @@ private:
     };
     enum class Beyond { nothing, solid, unknown };
 
-    double extent() const {
-        double most = 0;
-        for (const Element& e : elements_) {
-            if (is_valid(e)) {
-                const Box box = bounds(e);
-                most = std::max(most, distance(box.center(), origin_) + box.diagonal() / 2);
+    void look_at_thin_ones() {
+        for (std::uint32_t i = 0; i < elements_.size() && !done(); ++i) {
+            if (!bodies_.holds_something(i) && is_valid(elements_[i]) && may_hold_something(elements_[i])) {
+                patch_.points = {elements_[i].pose.translation - origin_};
+                fail(i, patch_.points.front(), false);
             }
         }
-        return most;
     }
     /// Returns whether an element that is thinner than the rounding here may hold some of the surface in certify().
     bool may_hold_something(const Element& element) const {

@@ -34,18 +34,37 @@ double PlacedPiece::least_along(const Vec3& slope) const {
     return least;
 }
 
-Walls::Walls(std::span<const Element> elements, const Bodies& bodies, const Vec3& origin)
-    : elements_(elements), bodies_(bodies), origin_(origin) {
-    for (const Element& e : elements_) {
-        Pose pose = e.pose;
-        pose.translation = pose.translation - origin_;
-        to_own_.push_back(pose.inverse());
-        const auto k = static_cast<std::uint32_t>(planes_.size());
+Walls::Walls(std::span<const Element> elements, const Bodies& bodies) : elements_(elements), bodies_(bodies) {
+    for (std::uint32_t k = 0; k < elements_.size(); ++k) {
         planes_.emplace_back(bodies_.planes(k).begin(), bodies_.planes(k).end());
         for (Polytope::Face& face : planes_.back()) {
             face.offset += dot(face.normal, bodies_.center(k));
         }
     }
+}
+
+double Walls::value(std::uint32_t k, const Vec3& p, Vec3& slope) const {
+    if (!planes_[k].empty()) {
+        double most = -infinity;
+        for (const Polytope::Face& face : planes_[k]) {
+            const double beyond = dot(face.normal, p) - face.offset;
+            if (beyond > most) {
+                most = beyond;
+                slope = face.normal;
+            }
+        }
+        return most;
+    }
+    double most = value_of(k, p, slope);
+    if (elements_[k].kind == Element::Kind::cylinder) {
+        const Vec3& axis = bodies_.axis(k, 2);
+        const double along = dot(axis, p - bodies_.center(k)), beyond = std::abs(along) - elements_[k].half.z;
+        if (beyond > most) {
+            most = beyond;
+            slope = axis * std::copysign(1.0, along);
+        }
+    }
+    return most;
 }
 
 bool Walls::is_clear(const PlacedPiece& patch, std::uint32_t k) const {
@@ -81,20 +100,13 @@ void Walls::add_all(const PlacedPiece& patch, std::uint32_t k, std::vector<Wall>
         }
         return;
     case Element::Kind::cylinder: {
-        const Vec3 axis = e.pose.rotate({0, 0, 1}), middle = e.pose.translation - origin_;
-        add_plane(patch, k, axis, dot(axis, middle) + e.half.z, walls);
-        add_plane(patch, k, -axis, -dot(axis, middle) + e.half.z, walls);
+        add_plane_pair(patch, k, 2, e.half.z, walls);
         add_round(patch, k, walls);
         return;
     }
     case Element::Kind::swept_box: {
         for (int axis = 0; axis < 3; ++axis) {
-            Vec3 normal{};
-            normal[axis] = 1;
-            normal = e.pose.rotate(normal);
-            const double middle = dot(normal, e.pose.translation - origin_), reach = e.half[axis] + e.radius;
-            add_plane(patch, k, normal, middle + reach, walls);
-            add_plane(patch, k, -normal, -middle + reach, walls);
+            add_plane_pair(patch, k, axis, e.half[axis] + e.radius, walls);
         }
         const bool on_face = k == patch.element && patch.normals.empty();
         if (!on_face && is_near_edge(patch, k)) {
@@ -107,6 +119,15 @@ void Walls::add_all(const PlacedPiece& patch, std::uint32_t k, std::vector<Wall>
     case Element::Kind::ellipsoid:
         add_round(patch, k, walls);
     }
+}
+
+/// Adds those of the two planes across an axis of the element that are near, at a distance from its middle.
+void Walls::add_plane_pair(const PlacedPiece& patch, std::uint32_t k, int axis, double reach,
+                           std::vector<Wall>& walls) const {
+    const Vec3& normal = bodies_.axis(k, axis);
+    const double middle = dot(normal, bodies_.center(k));
+    add_plane(patch, k, normal, middle + reach, walls);
+    add_plane(patch, k, -normal, -middle + reach, walls);
 }
 
 void Walls::add_plane(const PlacedPiece& patch, std::uint32_t k, const Vec3& normal, double offset,
@@ -152,7 +173,7 @@ bool Walls::is_near_edge(const PlacedPiece& patch, std::uint32_t k) const {
     const Element& e = elements_[k];
     Box box;
     for (const Vec3& p : patch.points) {
-        box.add(to_own_[k] * p);
+        box.add(bodies_.local(k, p));
     }
     int beyond = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,11 +191,11 @@ double Walls::value_of(std::uint32_t k, const Vec3& p, Vec3& slope) const {
         slope = length > 0 ? q / length : q;
         return length - e.radius;
     }
-    const Vec3 q = to_own_[k] * p;
+    const Vec3 q = bodies_.local(k, p);
     if (e.kind == Element::Kind::ellipsoid) {
         const Vec3 u{q.x / e.half.x, q.y / e.half.y, q.z / e.half.z};
         const double least = std::min({e.half.x, e.half.y, e.half.z}), length = norm(u);
-        slope = length > 0 ? e.pose.rotate(Vec3{u.x / e.half.x, u.y / e.half.y, u.z / e.half.z} * (least / length))
+        slope = length > 0 ? bodies_.turned(k, Vec3{u.x / e.half.x, u.y / e.half.y, u.z / e.half.z} * (least / length))
                            : Vec3{};
         return (length - 1) * least;
     }
@@ -189,12 +210,13 @@ double Walls::value_of(std::uint32_t k, const Vec3& p, Vec3& slope) const {
                 nearest = std::abs(q[axis]) - e.half[axis] > std::abs(q[nearest]) - e.half[nearest] ? axis : nearest;
             }
             out[nearest] = std::copysign(1.0, q[nearest]);
-            slope = e.pose.rotate(out);
+            slope = bodies_.turned(k, out);
             return std::abs(q[nearest]) - e.half[nearest] - e.radius;
         }
     }
-    slope = e.pose.rotate(normalized(out));
-    return norm(out) - e.radius;
+    const double length = norm(out);
+    slope = length > 0 ? bodies_.turned(k, out / length) : Vec3{};
+    return length - e.radius;
 }
 
 bool Walls::grows(const PlacedPiece& patch, const Wall& wall, const Vec3& way) const {
@@ -220,12 +242,11 @@ bool Walls::grows_round(const PlacedPiece& patch, const Wall& wall, const Vec3& 
         Vec3 along = way;
         double room = margin * length;
         if (e.kind == Element::Kind::cylinder) {
-            const Vec3 axis = e.pose.rotate({0, 0, 1});
+            const Vec3& axis = bodies_.axis(k, 2);
             along = way - axis * dot(axis, way);
         } else if (e.kind == Element::Kind::ellipsoid) {
-            const Vec3 w = to_own_[k].rotate(way);
-            along =
-                e.pose.rotate({w.x / (e.half.x * e.half.x), w.y / (e.half.y * e.half.y), w.z / (e.half.z * e.half.z)});
+            const auto part = [&](int axis) { return dot(bodies_.axis(k, axis), way) / (e.half[axis] * e.half[axis]); };
+            along = bodies_.turned(k, {part(0), part(1), part(2)});
             room = margin * norm(along);
         }
         const Vec3 center = bodies_.center(k);

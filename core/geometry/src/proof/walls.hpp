@@ -39,10 +39,13 @@ struct Wall {
 class Walls {
 public:
     /// Keeps references.
-    Walls(std::span<const Element> elements, const Bodies& bodies, const Vec3& origin);
+    Walls(std::span<const Element> elements, const Bodies& bodies);
 
     /// Returns a length above all rounding errors of a wall's value.
     double margin_of(std::uint32_t k) const { return 4 * bodies_.slack(k); }
+    /// Returns the value of the element's farthest wall at a point: convex, and at most the distance. Sets `slope` to a
+    /// subgradient there.
+    double value(std::uint32_t k, const Vec3& p, Vec3& slope) const;
     /// Returns whether the patch is outside an element for certain, by the ball around it. Quick.
     bool is_clear(const PlacedPiece& patch, std::uint32_t k) const;
     /// Appends the walls of an element that a point of the patch may be beyond; one alone that all are beyond. Returns
@@ -57,6 +60,8 @@ public:
 private:
     void add_plane(const PlacedPiece& patch, std::uint32_t k, const Vec3& normal, double offset,
                    std::vector<Wall>& walls) const;
+    void add_plane_pair(const PlacedPiece& patch, std::uint32_t k, int axis, double reach,
+                        std::vector<Wall>& walls) const;
     void add_round(const PlacedPiece& patch, std::uint32_t k, std::vector<Wall>& walls) const;
     void add_all(const PlacedPiece& patch, std::uint32_t k, std::vector<Wall>& walls) const;
     bool is_near_edge(const PlacedPiece& patch, std::uint32_t k) const;
@@ -69,8 +74,6 @@ private:
 
     std::span<const Element> elements_;
     const Bodies& bodies_;
-    Vec3 origin_;
-    std::vector<Pose> to_own_;                        ///< of each element
     std::vector<std::vector<Polytope::Face>> planes_; ///< of boxes and hulls: normal · p <= offset
 };
 

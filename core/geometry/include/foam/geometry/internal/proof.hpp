@@ -48,6 +48,10 @@ struct SolidProof {
 /// the first one.
 SolidProof prove_solid(const Solid& solid, const Elements& elements, bool all = false);
 
+/// Proves that the union of elements has no void: the space outside of it is connected. Returns false if it has one, or
+/// if that is in doubt. docs/dev/certificate.md has the argument.
+bool has_no_void(const Elements& elements);
+
 /// Returns pieces of the triangles of `surface`. Every point of the surface lies in a piece, or at least 10⁻⁹ of the
 /// surface's size inside the spheres. Pieces that cross the boundary of the spheres have edges of at most 1/500 of the
 /// surface's size. No triangle is left if the spheres are proved to cover the surface. Precondition: check_corners().
