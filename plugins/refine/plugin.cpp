@@ -1,6 +1,7 @@
 // The refiners whose algorithms are in core/search.
 #include <foam/sdk/plugin.hpp>
 
+#include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/row_cover.hpp>
@@ -40,10 +41,22 @@ private:
     const RefinementGoal goal_;
 };
 
-/// Guarantee fitted: moves and sizes spheres so that the symmetric difference to the shape becomes small.
+/// What the parameters of refine.fit say.
+struct FitSettings {
+    fitted::FitWeights weights;
+    std::optional<double> max_gap; ///< m
+};
+
+/// Guarantee fitted: moves and sizes spheres so that they differ little from the shape and leave no part of it out.
 class Fits final : public Refinement {
 public:
-    Fits(const Solid& solid, const RefinementGoal& goal) : solid_(solid), idle_(goal.guarantee != Guarantee::fitted) {}
+    Fits(const Solid& solid, const RefinementGoal& goal, const FitSettings& settings)
+        : solid_(solid), settings_(settings), idle_(goal.guarantee != Guarantee::fitted) {
+        if (!idle_ && settings_.max_gap && !goal.clip.empty()) {
+            throw Error(ErrorCode::usage, "half-space constraints cut spheres off that 'max_gap' of refine.fit needs; "
+                                          "remedy: delete 'clip' of the link, or 'max_gap'");
+        }
+    }
 
     /// Fits the finest level. Coarser levels remain bounds of it. In deep trees spheres stay near their parents.
     SphereTree refine(SphereTree tree, std::size_t most, Context&) override {
@@ -54,12 +67,18 @@ public:
         const bool flat = tree.levels.size() <= 2;
         try {
             finest.elements.spheres() =
-                fitted::fit(solid_, finest.elements.spheres(), most, flat ? fitted::Reach::far : fitted::Reach::near);
+                fitted::fit(solid_, finest.elements.spheres(), most, flat ? fitted::Reach::far : fitted::Reach::near,
+                            settings_.weights, settings_.max_gap);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::cancelled) {
                 throw;
             }
-            return tree; // the given spheres remain
+            if (settings_.max_gap) { // the given spheres remain
+                const WindUpScope scope;
+                finest.elements.spheres() =
+                    fitted::within_gap(solid_, finest.elements.spheres(), *settings_.max_gap);
+            }
+            return tree;
         }
         if (tree.levels.size() > 1 && flat) {
             finest.parents.assign(finest.elements.spheres().size(), 0);
@@ -69,7 +88,33 @@ public:
 
 private:
     const Solid& solid_;
+    const FitSettings settings_;
     const bool idle_;
+};
+
+/// Begins fits with the weights of a recipe.
+class BeginsFits final : public Refiner {
+public:
+    explicit BeginsFits(const Parameters& parameters)
+        : settings_{.weights = {.excess = parameters.number("excess"),
+                                .missing = parameters.number("missing"),
+                                .distance = parameters.number("distance"),
+                                .gap = parameters.number("gap")}} {
+        const fitted::FitWeights& weights = settings_.weights;
+        if (weights.missing + weights.distance + weights.gap == 0) {
+            throw Error(ErrorCode::usage, "with 'missing', 'distance' and 'gap' 0, no sphere at all is best; remedy: "
+                                          "give one of them a weight above 0");
+        }
+        if (const double most = parameters.number("max_gap"); most > 0) {
+            settings_.max_gap = most;
+        }
+    }
+    std::unique_ptr<Refinement> begin(const Shape& shape, const RefinementGoal& goal) const override {
+        return std::make_unique<Fits>(shape.original(), goal, settings_);
+    }
+
+private:
+    FitSettings settings_;
 };
 
 /// Replaces the spheres of a cylinder or capsule by a row of equal ones along the axis, in closed form, if that has
@@ -187,11 +232,31 @@ public:
 
 FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
     using namespace foam::refine;
-    enrol.add<Begins<Fits>>(
+    constexpr foam::fitted::FitWeights weights;
+    const auto weight = [](const char* name, double usual) {
+        return foam::Parameter::number(name, usual).unit("1").bounds(0, 1000);
+    };
+    enrol.add<BeginsFits>(
         {.name = "refine.fit",
-         .summary = "Guarantee fitted: moves and sizes spheres so that they differ least from the shape.",
+         .summary = "Guarantee fitted: moves and sizes spheres so that they differ least from the shape, in all its parts.",
          .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
-         .revision = 3});
+         .revision = 4,
+         .parameters = {
+             foam::Parameter::number("excess", weights.excess)
+                 .unit("1")
+                 .bounds(0.001, 1000)
+                 .doc("Weight of the volume of the spheres outside the geometry."),
+             weight("missing", weights.missing).doc("Weight of the volume of the geometry outside the spheres."),
+             weight("distance", weights.distance)
+                 .doc("Weight of the mean distance of the surface from the spheres, times the area of the surface."),
+             weight("gap", weights.gap)
+                 .doc("Weight of a power mean of these distances, which is near the largest one, times the area."),
+             foam::Parameter::number("max_gap", 0)
+                 .unit("m")
+                 .at_least(0)
+                 .doc("Largest distance of a point of the surface from the spheres; they grow where this needs it. 0: no "
+                      "limit."),
+         }});
     enrol.add<Begins<Constraints>>(
         {.name = "refine.clip",
          .summary = "Replaces spheres that violate the half-space constraints of a link (clip).",

@@ -1,6 +1,7 @@
 // Refiners in recipes, and what each of foam's does.
 #include "support/runs.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/geometry/clip_plane.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/geometry/volumes.hpp>
@@ -14,6 +15,8 @@ namespace {
 using namespace foam;
 using namespace foam::test;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using Json = nlohmann::json;
 
 std::shared_ptr<const Solid> solid_of(const Element& primitive) {
@@ -127,6 +130,46 @@ TEST_F(Refiners, FitReducesTheSymmetricDifference) {
         return m.excess + m.missing;
     };
     EXPECT_LT(difference(fitted.finest()), 0.2 * difference(start.finest()));
+}
+
+TEST_F(Refiners, FitKeepsItsLargestGap) {
+    const auto solid = solid_of(Element::box({0.4, 0.1, 0.1}));
+    const auto fit = registry.make<Refiner>("refine.fit", {{"max_gap", ParameterValue(0.01)}});
+    const Shape shape("part", solid, solid);
+    QuietContext context;
+    const SphereTree tree = fit->begin(shape, {.guarantee = Guarantee::fitted})->refine(around(*solid), 2, context);
+    EXPECT_LE(measure(*solid, tree.finest()).gap, 0.01);
+    EXPECT_EQ(fit->begin(shape, {})->refine(around(*solid), 2, context).finest(), around(*solid).finest());
+}
+
+TEST_F(Refiners, FitRefusesWhatContradicts) {
+    const auto refusal = [&](const std::map<std::string, ParameterValue>& given, const RefinementGoal& goal) {
+        const auto solid = solid_of(Element::box({0.4, 0.1, 0.1}));
+        try {
+            registry.make<Refiner>("refine.fit", given)->begin(Shape("part", solid, solid), goal);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const RefinementGoal fitted{.guarantee = Guarantee::fitted};
+    RefinementGoal clipped = fitted;
+    clipped.clip = {{}};
+    EXPECT_THAT(refusal({{"missing", 0.0}, {"distance", 0.0}, {"gap", 0.0}}, fitted),
+                HasSubstr("no sphere at all is best; remedy: give one of them a weight"));
+    EXPECT_THAT(refusal({{"max_gap", 0.01}}, clipped), HasSubstr("remedy: delete 'clip' of the link, or 'max_gap'"));
+    EXPECT_EQ(refusal({}, clipped), "");
+}
+
+TEST_F(Refiners, AnObjectiveIsRefusedWithGuaranteeFitted) {
+    const char* stages = "[{spherize.cover: {objective: protrusion}}, refine.fit]";
+    EXPECT_THAT(findings(stages), IsEmpty());
+    EXPECT_THAT(findings(std::string(stages) + "\nguarantee: fitted"),
+                ElementsAre(HasSubstr("r.yaml:3:28: error[conflict]: 'objective' of spherize.cover is what covering "
+                                      "spheres make least: it has no effect with guarantee: fitted; remedy: delete")));
+    EXPECT_THAT(findings("[spherize.cover, refine.fit]\nguarantee: fitted\nlinks: {'*': {spherize.cover: {objective: "
+                         "radius}}}"),
+                ElementsAre(HasSubstr("it has no effect with guarantee: fitted")));
 }
 
 TEST_F(Refiners, ClipKeepsTheConstraints) {

@@ -11,7 +11,7 @@ namespace {
 TEST(SymmetricDifference, TheUseOfABallIsWhatIsLostWithoutIt) {
     const auto box = Solid::make(sample::box({0.3, 0.1, 0.1}));
     const by_spheres::Frame frame(box->bounds());
-    const fitted::SymmetricDifference misfit(*box, frame, 48, 96);
+    const fitted::SymmetricDifference misfit(*box, frame, 48, 96, {});
     by_spheres::Balls balls;
     for (const Sphere& sphere : {Sphere{{-0.1, 0, 0}, 0.06}, Sphere{{0, 0, 0}, 0.07}, Sphere{{0.03, 0, 0}, 0.06},
                                  Sphere{{0, 0.12, 0}, 0.04}}) {

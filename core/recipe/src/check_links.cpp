@@ -73,6 +73,7 @@ void read_stage_override(const Key& key, const Value& value, const Recipe& recip
     }
     read_stage_parameters(item, {}, checking);
     refuse_idle_limits(item, isolation_in_chain(key.text, recipe), checking.findings);
+    refuse_idle_objective(item, recipe, checking.findings);
     link.stages.push_back(std::move(item.call));
 }
 

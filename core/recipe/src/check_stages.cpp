@@ -121,6 +121,21 @@ static void add_refiner(StageItem item, Recipe& recipe, const Checking& checking
     recipe.refiners.push_back(std::move(item.call));
 }
 
+void refuse_idle_objective(const StageItem& item, const Recipe& recipe, Findings& findings) {
+    if (recipe.guarantee != Guarantee::fitted || !item.stage || !item.parameters ||
+        !spheres_alone(item.stage->info.kinds)) {
+        return;
+    }
+    const std::string& name = item.stage->info.objective_parameter;
+    if (const Key* key = name.empty() ? nullptr : item.parameters->find_key(name)) {
+        findings.error(key->where, "conflict",
+                       fmt::format("'{}' of {} is what covering spheres make least: it has no effect with guarantee: "
+                                   "fitted; remedy: delete it, and give weights to refine.fit, e.g. refine.fit: "
+                                   "{{distance: 2}}, or max_gap",
+                                   name, item.call.stage));
+    }
+}
+
 void check_stages(const Value* stages, const Value& root, Recipe& recipe, const Checking& checking) {
     constexpr const char* example = "stages: [spherize.cover]";
     if (!stages) {
@@ -136,6 +151,7 @@ void check_stages(const Value* stages, const Value& root, Recipe& recipe, const 
         StageItem item = read_stage_item(value, "stages", checking);
         read_stage_parameters(item, {}, checking);
         refuse_idle_limits(item, recipe.isolation, checking.findings);
+        refuse_idle_objective(item, recipe, checking.findings);
         if (!item.stage) {
             unknown = true;
             continue;

@@ -16,8 +16,8 @@ using by_spheres::Balls;
 static constexpr std::size_t turns = 4;
 
 SymmetricDifference::SymmetricDifference(const Solid& solid, const by_spheres::Frame& frame, int resolution,
-                                         std::size_t directions)
-    : occupancy_(solid, frame, resolution) {
+                                         std::size_t directions, const Weights& weights)
+    : weights_(weights), occupancy_(solid, frame, resolution) {
     const Vec3 half = solid.bounds().size() / frame.unit / 2;
     const double cell = occupancy_.cell();
     for (double x = -half.x - cell / 2; x < half.x + cell; x += cell) {
@@ -40,7 +40,9 @@ SymmetricDifference::SymmetricDifference(const Solid& solid, const by_spheres::F
 }
 
 double SymmetricDifference::of(const Balls& balls) const {
-    return exact_union_volume(by_spheres::unit_spheres(balls)) + volume_ - 2 * shared_with(balls);
+    const double shared = shared_with(balls);
+    return weights_.excess * (exact_union_volume(by_spheres::unit_spheres(balls)) - shared) +
+           weights_.missing * (volume_ - shared);
 }
 
 double SymmetricDifference::shared_with(const Balls& balls) const {
@@ -62,6 +64,7 @@ double SymmetricDifference::shared_with(const Balls& balls) const {
 
 void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vector<by_spheres::Slope>& result) const {
     const by_spheres::Points& directions = directions_[turn % turns];
+    const float both = static_cast<float>(weights_.excess + weights_.missing), missing = static_cast<float>(weights_.missing);
     result.assign(balls.size(), {});
     by_spheres::Exposed exposed;
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -70,7 +73,7 @@ void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vect
             continue;
         }
         result[i] = by_spheres::slope_of(exposed, balls[i], directions,
-                                    [&](float x, float y, float z) { return 2 * occupancy_.outside(x, y, z) - 1; });
+                                    [&](float x, float y, float z) { return both * occupancy_.outside(x, y, z) - missing; });
     }
 }
 
@@ -122,12 +125,12 @@ std::vector<double> SymmetricDifference::uses(const Balls& balls) const {
             }
         }
         if (holders == 1) {
-            result[holder] += 2 * volume_of_cell_[p];
+            result[holder] += (weights_.excess + weights_.missing) * volume_of_cell_[p];
         }
     }
     for (std::size_t i = 0; i < balls.size(); ++i) {
         check_cancelled();
-        result[i] -= volume_saved(spheres, i, {});
+        result[i] -= weights_.excess * volume_saved(spheres, i, {});
     }
     return result;
 }

@@ -7,24 +7,27 @@
 
 namespace foam::inline search::fitted {
 
-/// vol(U \ S) + vol(S \ U) of balls in the unit frame, and its derivatives.
+/// vol(U \ S) + vol(S \ U) of balls in the unit frame, each by its weight, and its derivatives.
 class SymmetricDifference {
 public:
-    SymmetricDifference(const Solid& solid, const by_spheres::Frame& frame, int resolution, std::size_t directions);
+    struct Weights {
+        double excess = 1, missing = 1;
+    };
+    SymmetricDifference(const Solid& solid, const by_spheres::Frame& frame, int resolution, std::size_t directions,
+                        const Weights& weights);
 
-    /// Returns the symmetric difference, units³: vol(U) + vol(S) − 2 vol(U ∩ S), the first in closed form, the others
-    /// by cells.
+    /// Returns the weighted symmetric difference, units³. vol(U) is in closed form, vol(S) and vol(U ∩ S) by cells.
     double of(const by_spheres::Balls& balls) const;
 
     /// Computes the derivatives by the balls. By r_i: the area of ball i outside the other balls and outside S, minus
-    /// that inside S; by c_i: the same with the normal. `turn`: the set of directions for the areas.
+    /// that inside S, each by its weight; by c_i: the same with the normal. `turn`: the set of directions for the areas.
     void slopes(const by_spheres::Balls& balls, std::size_t turn, std::vector<by_spheres::Slope>& result) const;
 
     /// Returns the balls, and more in the largest pockets between them, up to `most` in all: each is the largest ball
     /// inside the solid and outside the others, about the centre of a cell. Fewer if no pocket remains.
     by_spheres::Balls filled(by_spheres::Balls balls, std::size_t most) const;
 
-    /// Returns the growth of the symmetric difference without each ball, units³. The part of the solid that only this
+    /// Returns the growth of the weighted symmetric difference without each ball, units³. The part of the solid that only this
     /// ball contains becomes missing; its own excess volume disappears. The part of the ball outside the others is
     /// estimated, to about a hundredth of the ball.
     std::vector<double> uses(const by_spheres::Balls& balls) const;
@@ -37,6 +40,7 @@ public:
 private:
     double shared_with(const by_spheres::Balls& balls) const;
 
+    Weights weights_;
     by_spheres::Occupancy occupancy_;
     by_spheres::Points cells_;               ///< centres of cells that lie at least partly inside the solid …
     std::vector<float> volume_of_cell_; ///< … and the volume of the solid in them, units³

@@ -35,6 +35,8 @@ Isolation read_isolation(const Value& map, std::string_view owner, Findings& fin
 void refuse_idle_limits(const Value& map, const Isolation& effective, std::string_view owner, Findings& findings);
 /// Does the same for a stage. `base`: the isolation that its own is merged into, before the stage's wish.
 void refuse_idle_limits(const StageItem& item, const Isolation& base, Findings& findings);
+/// Refuses an objective with guarantee: fitted, where it has no effect.
+void refuse_idle_objective(const StageItem& item, const Recipe& recipe, Findings& findings);
 /// Adds the finding for an unknown stage name.
 void report_unknown_stage(const Key& name, const Checking& checking);
 
