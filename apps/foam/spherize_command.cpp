@@ -360,6 +360,7 @@ void add_spherize(Program& program) {
                                     "  foam spherize part.stl -n 16 -o part.json\n"
                                     "  foam spherize robot.urdf --excess 0.5    the fewest spheres with this excess\n"
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
+                                    "  foam spherize part.stl -n 16 --set guarantee=fitted    close, not covering\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<SpherizeArguments>();
     arguments->execute.say_which = false; // the user did

@@ -52,7 +52,11 @@ class Fits final : public Refinement {
 public:
     Fits(const Solid& solid, const RefinementGoal& goal, const FitSettings& settings)
         : solid_(solid), settings_(settings), idle_(goal.guarantee != Guarantee::fitted) {
-        if (!idle_ && settings_.max_gap && !goal.clip.empty()) {
+        if (idle_ && settings_.max_gap) {
+            throw Error(ErrorCode::usage, "'max_gap' of refine.fit has an effect with guarantee: fitted alone; remedy: "
+                                          "write guarantee: fitted, or delete it");
+        }
+        if (settings_.max_gap && !goal.clip.empty()) {
             throw Error(ErrorCode::usage, "half-space constraints cut spheres off that 'max_gap' of refine.fit needs; "
                                           "remedy: delete 'clip' of the link, or 'max_gap'");
         }
@@ -75,8 +79,7 @@ public:
             }
             if (settings_.max_gap) { // the given spheres remain
                 const WindUpScope scope;
-                finest.elements.spheres() =
-                    fitted::within_gap(solid_, finest.elements.spheres(), *settings_.max_gap);
+                finest.elements.spheres() = fitted::within_gap(solid_, finest.elements.spheres(), *settings_.max_gap);
             }
             return tree;
         }
@@ -238,7 +241,8 @@ FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
     };
     enrol.add<BeginsFits>(
         {.name = "refine.fit",
-         .summary = "Guarantee fitted: moves and sizes spheres so that they differ least from the shape, in all its parts.",
+         .summary =
+             "Guarantee fitted: moves and sizes spheres so that they differ least from the shape, in all its parts.",
          .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
          .revision = 4,
          .parameters = {
@@ -254,8 +258,8 @@ FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
              foam::Parameter::number("max_gap", 0)
                  .unit("m")
                  .at_least(0)
-                 .doc("Largest distance of a point of the surface from the spheres; they grow where this needs it. 0: no "
-                      "limit."),
+                 .doc("Largest distance of a point of the surface from the spheres, which grow where this needs it. "
+                      "0: no limit."),
          }});
     enrol.add<Begins<Constraints>>(
         {.name = "refine.clip",

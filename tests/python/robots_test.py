@@ -215,6 +215,13 @@ def test_proofs_are_those_of_the_command_line(tmp_path, panda, model):
     assert not foam.certify(panda, model, guarantee="inner")
 
 
+def test_fitted_spheres_keep_a_largest_gap(panda):
+    model = panda.spherize(30, set={"guarantee": "fitted", "stages.refine.fit.max_gap": 0.02})
+    assert not model.certified and 0 < foam.evaluate(panda, model).total.gap_m <= 0.02
+    with pytest.raises(foam.UsageError, match="'objective' of spherize.cover .* no effect with guarantee: fitted"):
+        panda.spherize(30, objective="protrusion", set={"guarantee": "fitted"})
+
+
 def test_pairs_are_those_of_the_command_line(tmp_path, panda, model):
     model.save(tmp_path / "model.csv")
     program = json.loads(command("self-collision", PANDA, "--model", tmp_path / "model.csv", "--samples", 500, "--json",

@@ -97,7 +97,7 @@ TEST(Fit, TakesTheSpheresThatItMayHave) {
 /// A handle and a shaft of a twenty-fifth of its volume.
 std::shared_ptr<const Solid> screwdriver() {
     return Solid::make({Solid::Part{nullptr, Element::cylinder(0.015, 0.11), {}},
-                        Solid::Part{nullptr, Element::cylinder(0.003, 0.12), {{}, {0, 0, 0.115}}}});
+                        Solid::Part{nullptr, Element::cylinder(0.003, 0.12), {.translation = {0, 0, 0.115}}}});
 }
 
 double gap(const Solid& solid, std::span<const Sphere> spheres) {

@@ -139,7 +139,6 @@ TEST_F(Refiners, FitKeepsItsLargestGap) {
     QuietContext context;
     const SphereTree tree = fit->begin(shape, {.guarantee = Guarantee::fitted})->refine(around(*solid), 2, context);
     EXPECT_LE(measure(*solid, tree.finest()).gap, 0.01);
-    EXPECT_EQ(fit->begin(shape, {})->refine(around(*solid), 2, context).finest(), around(*solid).finest());
 }
 
 TEST_F(Refiners, FitRefusesWhatContradicts) {
@@ -159,6 +158,8 @@ TEST_F(Refiners, FitRefusesWhatContradicts) {
                 HasSubstr("no sphere at all is best; remedy: give one of them a weight"));
     EXPECT_THAT(refusal({{"max_gap", 0.01}}, clipped), HasSubstr("remedy: delete 'clip' of the link, or 'max_gap'"));
     EXPECT_EQ(refusal({}, clipped), "");
+    EXPECT_THAT(refusal({{"max_gap", 0.01}}, {}), HasSubstr("remedy: write guarantee: fitted, or delete it"));
+    EXPECT_EQ(refusal({}, {}), "");
 }
 
 TEST_F(Refiners, AnObjectiveIsRefusedWithGuaranteeFitted) {

@@ -77,7 +77,7 @@ struct Patience {
     int moves;
     std::size_t movable; ///< balls that are moved, those that contribute least
 };
-constexpr Patience few_balls{24, 6, 24, 3}, many_balls{4, 2, 12, 2};
+constexpr Patience few_balls{10, 3, 12, 2}, many_balls{4, 2, 12, 2};
 constexpr std::size_t few = 16;
 
 class Search {
@@ -105,13 +105,12 @@ public:
 private:
     std::vector<Candidate> descended(const std::vector<Balls>& starts, const Steps& steps) const {
         std::vector<Candidate> result(starts.size());
-        parallel_for(starts.size(),
-                     [&](std::size_t i) { result[i] = candidate(descend(target_, starts[i], steps)); });
+        parallel_for(starts.size(), [&](std::size_t i) { result[i] = candidate(descend(target_, starts[i], steps)); });
         return result;
     }
 
-    /// Returns the start, balls packed into the solid, and clusterings of its inside and of its surface, of which a thin
-    /// part has a larger share.
+    /// Returns the start, balls packed into the solid, and clusterings of its inside and of its surface, of which a
+    /// thin part has a larger share.
     std::vector<Balls> all_starts(const Balls& start) const {
         Random random(1);
         std::vector<Balls> starts{start};

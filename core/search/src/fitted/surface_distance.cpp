@@ -67,7 +67,8 @@ float Nearest::high() const {
     return static_cast<float>(std::pow(sum / count, 1.0 / power));
 }
 
-SurfaceDistance::SurfaceDistance(const Solid& solid, const by_spheres::Frame& frame, std::size_t points) : sets_(point_sets) {
+SurfaceDistance::SurfaceDistance(const Solid& solid, const by_spheres::Frame& frame, std::size_t points)
+    : sets_(point_sets) {
     const std::vector<SurfacePoint> samples = solid.sample_surface(points, 1);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         sets_[i % point_sets].add(frame.to_unit(samples[i].point));

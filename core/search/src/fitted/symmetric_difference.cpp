@@ -64,7 +64,8 @@ double SymmetricDifference::shared_with(const Balls& balls) const {
 
 void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vector<by_spheres::Slope>& result) const {
     const by_spheres::Points& directions = directions_[turn % turns];
-    const float both = static_cast<float>(weights_.excess + weights_.missing), missing = static_cast<float>(weights_.missing);
+    const float both = static_cast<float>(weights_.excess + weights_.missing),
+                missing = static_cast<float>(weights_.missing);
     result.assign(balls.size(), {});
     by_spheres::Exposed exposed;
     for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -72,8 +73,9 @@ void SymmetricDifference::slopes(const Balls& balls, std::size_t turn, std::vect
         if (!exposed.look(balls, i, directions)) {
             continue;
         }
-        result[i] = by_spheres::slope_of(exposed, balls[i], directions,
-                                    [&](float x, float y, float z) { return both * occupancy_.outside(x, y, z) - missing; });
+        result[i] = by_spheres::slope_of(exposed, balls[i], directions, [&](float x, float y, float z) {
+            return both * occupancy_.outside(x, y, z) - missing;
+        });
     }
 }
 

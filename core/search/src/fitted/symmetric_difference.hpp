@@ -20,16 +20,17 @@ public:
     double of(const by_spheres::Balls& balls) const;
 
     /// Computes the derivatives by the balls. By r_i: the area of ball i outside the other balls and outside S, minus
-    /// that inside S, each by its weight; by c_i: the same with the normal. `turn`: the set of directions for the areas.
+    /// that inside S, each by its weight; by c_i: the same with the normal. `turn`: the set of directions for the
+    /// areas.
     void slopes(const by_spheres::Balls& balls, std::size_t turn, std::vector<by_spheres::Slope>& result) const;
 
     /// Returns the balls, and more in the largest pockets between them, up to `most` in all: each is the largest ball
     /// inside the solid and outside the others, about the centre of a cell. Fewer if no pocket remains.
     by_spheres::Balls filled(by_spheres::Balls balls, std::size_t most) const;
 
-    /// Returns the growth of the weighted symmetric difference without each ball, units³. The part of the solid that only this
-    /// ball contains becomes missing; its own excess volume disappears. The part of the ball outside the others is
-    /// estimated, to about a hundredth of the ball.
+    /// Returns the growth of the weighted symmetric difference without each ball, units³. The part of the solid that
+    /// only this ball contains becomes missing; its own excess volume disappears. The part of the ball outside the
+    /// others is estimated, to about a hundredth of the ball.
     std::vector<double> uses(const by_spheres::Balls& balls) const;
 
     /// Volume of the solid, units³.

@@ -42,8 +42,8 @@ enum class Reach {
 
 /// Weights of what a fit makes least, excess · vol(U \ S) + missing · vol(S \ U) + (distance · mean + gap · high) · A.
 /// A is the area of the surface, `mean` the mean distance of its points from U, 0 for points in U. `high` is a power
-/// mean of these distances, which is near the gap. Where the solid is thin beside the spheres, distances count up to 2.1
-/// times as much.
+/// mean of these distances, which is near the gap. Where the solid is thin beside the spheres, distances count up
+/// to 2.1 times as much.
 struct FitWeights {
     double excess = 1, missing = 0.2, distance = 0.57, gap = 0.11;
 };
