@@ -18,8 +18,9 @@ inline constexpr double caution = 1e9;
 inline Element some_element(Element::Kind kind, Random& random) {
     const auto length = [&] { return random.uniform(0.5, 1.5); };
     Element e{.kind = kind, .pose = random_pose(random, 2)};
-    e.radius = kind == Element::Kind::box || kind == Element::Kind::hull ? 0 : length();
-    if (kind == Element::Kind::box || kind == Element::Kind::swept_box) {
+    const bool sharp = kind == Element::Kind::box || kind == Element::Kind::hull || kind == Element::Kind::ellipsoid;
+    e.radius = sharp ? 0 : length();
+    if (kind == Element::Kind::box || kind == Element::Kind::swept_box || kind == Element::Kind::ellipsoid) {
         e.half = {length(), length(), length()};
     } else if (kind == Element::Kind::capsule || kind == Element::Kind::cylinder) {
         e.half.z = length();

@@ -24,7 +24,7 @@ TEST_F(Run, FittedSpheresNeitherClaimNorMissMuch) {
     EXPECT_GT(base.gap, 0.03);
     EXPECT_LT(base.covered, 0.9);
     EXPECT_GT(base.excess, 0.05);
-    EXPECT_LT(base.excess + base.missing, 0.6);
+    EXPECT_LT(base.excess + base.missing, 0.7);
 }
 
 TEST_F(Run, InnerShrinksWhatSticksOut) {

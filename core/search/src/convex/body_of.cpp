@@ -266,9 +266,13 @@ std::vector<Brick> halved_bricks(const Body& body, std::size_t count) {
     std::size_t with_surface = 1;
     while (with_surface < count) {
         check_cancelled();
-        const auto longest = [](const Box& box) { return std::max({box.size().x, box.size().y, box.size().z}); };
+        const auto longest = [](const Brick& brick) {
+            constexpr double inside = 0.75; // bricks without surface need not be fine
+            const Vec3 size = brick.box.size();
+            return std::max({size.x, size.y, size.z}) * (brick.surface.ends.empty() ? inside : 1);
+        };
         const auto chosen = std::max_element(made.begin(), made.end(), [&](const Halved& a, const Halved& b) {
-            return longest(a.brick.box) < longest(b.brick.box);
+            return longest(a.brick) < longest(b.brick);
         });
         const Vec3 size = chosen->brick.box.size();
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -8,6 +8,7 @@
 #include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/geometry/internal/bvh.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,8 @@ public:
     }
 
 private:
-    static constexpr double finest = 0.01; ///< edge of the parts that triangles are cut into, units
+    static constexpr double finest = 0.01;        ///< edge of the parts that triangles are cut into, units
+    static constexpr double finest_inside = 0.04; ///< edge of the cubes that the inside is cut into, units
 
     /// Returns whether an element besides this one holds the point.
     bool others_hold(std::size_t i, const Vec3& p) const {
@@ -165,20 +167,32 @@ private:
             points.push_back(block.corner(k));
         }
     }
+    /// Returns the other elements whose boxes meet that of an element.
+    std::vector<std::size_t> overlapping(std::size_t i) const {
+        const Box box = bounds(fits_[i]);
+        std::vector<std::size_t> found;
+        for (std::size_t k = 0; k < fits_.size(); ++k) {
+            if (k != i && overlap(bounds(fits_[k]), box)) {
+                found.push_back(k);
+            }
+        }
+        return found;
+    }
     /// Appends the corners of the parts inside the body that this element holds and none of the others holds alone. A
     /// small part that no element holds alone is to be held by those that hold its middle.
     void add_inside_alone(std::size_t i, std::vector<Vec3>& points) const {
         if (!inside_) {
             return;
         }
+        const std::vector<std::size_t> others = overlapping(i);
         inside_->visit([&](const Block& block) {
             const double reach = block.reach(), away = distance_to(fits_[i], block.center);
             if (away > reach) {
                 return false;
             }
             bool alone = true;
-            for (std::size_t k = 0; k < fits_.size(); ++k) {
-                if (k == i || distance_to(fits_[k], block.center) > reach) {
+            for (const std::size_t k : others) {
+                if (distance_to(fits_[k], block.center) > reach) {
                     continue;
                 }
                 if (holds_all(fits_[k], block)) {
@@ -186,7 +200,7 @@ private:
                 }
                 alone = false;
             }
-            const bool small = 2 * block.half < finest;
+            const bool small = 2 * block.half < finest_inside;
             if (block.full && (alone ? holds_all(fits_[i], block) : small && away <= 0)) {
                 add_corners(block, points);
                 return false;
@@ -210,7 +224,7 @@ private:
                 add_corners(block, points);
                 return false;
             }
-            return 2 * block.half >= finest;
+            return 2 * block.half >= finest_inside;
         });
     }
     static void add_held(const Fit& fit, const std::array<Vec3, 3>& t, std::vector<Vec3>& points) {
