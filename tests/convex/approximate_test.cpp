@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -17,8 +18,8 @@ namespace {
 using namespace foam;
 using Kind = Element::Kind;
 
-constexpr Kind all_kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box, Kind::swept_box, Kind::hull,
-                              Kind::ellipsoid};
+constexpr Kind all_kinds[] = {Kind::sphere,    Kind::capsule, Kind::cylinder, Kind::box,
+                              Kind::swept_box, Kind::hull,    Kind::ellipsoid};
 const CoverOptions fast{.effort = Effort::fast};
 
 Cover cover_by(const Solid& solid, std::size_t count, Kind kind, CoverOptions options = fast) {
@@ -50,6 +51,27 @@ Mesh torus() {
             mesh.triangles.push_back({a, b, c});
             mesh.triangles.push_back({a, c, d});
         }
+    }
+    return mesh;
+}
+
+/// Extrudes a polygon in the plane of x and z.
+Mesh extruded(const std::vector<Vec3>& polygon, const std::vector<Triangle>& triangles, double width) {
+    const auto n = static_cast<std::uint32_t>(polygon.size());
+    Mesh mesh;
+    for (const double y : {0.0, width}) {
+        for (const Vec3& p : polygon) {
+            mesh.vertices.push_back({p.x, y, p.z});
+        }
+    }
+    for (const auto& [a, b, c] : triangles) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a + n, c + n, b + n});
+    }
+    for (std::uint32_t k = 0; k < n; ++k) {
+        const std::uint32_t next = (k + 1) % n;
+        mesh.triangles.push_back({k, k + n, next + n});
+        mesh.triangles.push_back({k, next + n, next});
     }
     return mesh;
 }
@@ -331,6 +353,53 @@ TEST(Approximate, ConvexPiecesOfTheFandisk) {
         const Cover cover = cover_by(*solid, count, Kind::hull, {});
         expect_cover(*solid, cover, count);
         EXPECT_LT(excess_of(*solid, cover), most) << count;
+    }
+}
+
+// Sheets of metal, 2 mm thick: an L of two, and a U of three.
+TEST(Approximate, SheetsOfMetalBecomeTheirBoxes) {
+    constexpr double t = 0.002, length = 0.1, height = 0.08, width = 0.05;
+    const Mesh bracket =
+        extruded({{0, 0, 0}, {length, 0, 0}, {length, 0, t}, {t, 0, t}, {t, 0, height}, {0, 0, height}},
+                 {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, width);
+    const Mesh channel = extruded({{0, 0, 0},
+                                   {length, 0, 0},
+                                   {length, 0, height},
+                                   {length - t, 0, height},
+                                   {length - t, 0, t},
+                                   {t, 0, t},
+                                   {t, 0, height},
+                                   {0, 0, height}},
+                                  {{0, 1, 4}, {1, 2, 3}, {1, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}}, width);
+    for (const auto& [mesh, count] : {std::pair{bracket, 2}, {channel, 3}}) {
+        const auto solid = Solid::make(mesh);
+        ASSERT_TRUE(solid->closed());
+        for (const Effort effort : {Effort::fast, Effort::normal}) {
+            const Cover cover = cover_by(*solid, static_cast<std::size_t>(count), Kind::box, {.effort = effort});
+            expect_cover(*solid, cover, static_cast<std::size_t>(count));
+            double sum = 0; // of boxes that hardly overlap
+            for (const Element& e : cover.elements) {
+                sum += volume(e);
+            }
+            EXPECT_NEAR(sum / solid->volume(), 1, 1e-6) << count;
+            EXPECT_LE(measure(*solid, cover.elements).excess, 1e-6) << count;
+        }
+    }
+}
+
+TEST(Approximate, MoreEffortIsNeverWorse) {
+    for (const Mesh& mesh : {torus(), l_shape()}) {
+        const auto solid = Solid::make(mesh);
+        for (const Kind kind : {Kind::capsule, Kind::box, Kind::cylinder}) {
+            for (const std::size_t count : {3UL, 5UL}) {
+                double before = std::numeric_limits<double>::infinity();
+                for (const Effort effort : {Effort::fast, Effort::normal}) {
+                    const double excess = excess_of(*solid, cover_by(*solid, count, kind, {.effort = effort}));
+                    EXPECT_LE(excess, before) << to_string(kind) << ' ' << count;
+                    before = excess;
+                }
+            }
+        }
     }
 }
 

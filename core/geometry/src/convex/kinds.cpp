@@ -144,6 +144,16 @@ double volume(const Element& e) {
     return kind_of(e).volume(e);
 }
 
+double thickness(const Element& e) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 along{};
+        along[axis] = 1;
+        least = std::min(least, kind_of(e).support(e, along)[axis] - kind_of(e).support(e, -along)[axis]);
+    }
+    return least;
+}
+
 std::optional<LinePart> inside_along(const Element& e, const Vec3& origin, const Vec3& direction) {
     return kind_of(e).inside_along(e, to_own_frame(e, origin), turned_back(e, direction));
 }

@@ -150,6 +150,10 @@ Difference difference(const Solid& solid, const Set& set, const Estimate& in_uni
         const std::size_t some = solid.closed() ? lines : lines / 4; // each takes long, and few have a small error
         return {claimed_wrongly(solid, set, some, options.seed), left_out(solid, set, covered, some, options.seed)};
     }
+    constexpr double little = 0.01; // of the volume: then pieces tell more than a difference of volumes
+    if (covered && solid.covers() == Covers::solid && surplus < little * solid.volume()) {
+        return {claimed_wrongly(solid, set, lines, options.seed), {}};
+    }
     if (surplus >= 0) {
         const Estimate missing = left_out(solid, set, covered, lines, options.seed);
         return {other(missing, surplus), missing};

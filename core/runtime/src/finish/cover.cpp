@@ -72,8 +72,9 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
         }
         SphereTree::Level& below = result.levels[l + 1];
         if (level.elements.spheres().empty()) {
-            level.elements.spheres() = {*std::max_element(below.elements.spheres().begin(), below.elements.spheres().end(),
-                                               [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
+            level.elements.spheres() = {
+                *std::max_element(below.elements.spheres().begin(), below.elements.spheres().end(),
+                                  [](const Sphere& a, const Sphere& b) { return a.radius < b.radius; })};
             if (l > 0) {
                 level.parents = {tree.levels[l].parents.at(0)};
             }
@@ -81,13 +82,14 @@ SphereTree inner_tree(const Solid& solid, const SphereTree& tree, const DecimalG
         for (std::size_t i = 0; i < below.elements.spheres().size(); ++i) {
             const std::optional<std::uint32_t> parent = left[below.parents[i]];
             const auto nearer = [&](const Sphere& a, const Sphere& b) {
-                return distance(a.center, below.elements.spheres()[i].center) < distance(b.center, below.elements.spheres()[i].center);
+                return distance(a.center, below.elements.spheres()[i].center) <
+                       distance(b.center, below.elements.spheres()[i].center);
             };
             below.parents[i] =
-                parent
-                    ? *parent
-                    : static_cast<std::uint32_t>(std::min_element(level.elements.spheres().begin(), level.elements.spheres().end(), nearer) -
-                                                 level.elements.spheres().begin());
+                parent ? *parent
+                       : static_cast<std::uint32_t>(std::min_element(level.elements.spheres().begin(),
+                                                                     level.elements.spheres().end(), nearer) -
+                                                    level.elements.spheres().begin());
         }
     }
     return result;
@@ -113,7 +115,8 @@ std::optional<Sphere> better_one(const Solid& solid, const std::vector<Sphere>& 
 }
 
 /// Moves the spheres of a level onto the grid, grows them to cover, and rounds their radii up.
-void finish_spheres(const Solid& solid, SphereTree::Level& level, const DecimalGrid& grid, bool outer, Numbers numbers) {
+void finish_spheres(const Solid& solid, SphereTree::Level& level, const DecimalGrid& grid, bool outer,
+                    Numbers numbers) {
     for (Sphere& sphere : level.elements.spheres()) {
         sphere.center = grid.nearest(sphere.center);
     }
@@ -191,8 +194,22 @@ void require_room(const Solid& solid, const SphereTree& tree) {
     }
 }
 
+/// Returns the grid for the numbers of a link's elements. It is fine enough for thin ones, to which a millionth of the
+/// link's size would add too much.
+static DecimalGrid grid_for(const Solid& solid, const SphereTree& tree) {
+    constexpr double thin = 3e-2, flat = 1e-5, finer = 0.3;
+    const double size = solid.bounds().diagonal();
+    double least = size;
+    for (const SphereTree::Level& level : tree.levels) {
+        for (const Element& element : level.elements.shaped()) {
+            least = std::min(least, thickness(element));
+        }
+    }
+    return DecimalGrid(least < thin * size && least > flat * size ? finer * least : size);
+}
+
 FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guarantee, bool one_may_do, Numbers numbers) {
-    const DecimalGrid grid(solid.bounds().diagonal());
+    const DecimalGrid grid = grid_for(solid, tree);
     FinishedTree result;
     if (guarantee == Guarantee::inner) {
         result.tree = inner_tree(solid, tree, grid, numbers);
@@ -219,7 +236,7 @@ FinishedTree finished_tree(const Solid& solid, SphereTree tree, Guarantee guaran
 }
 
 SphereTree padded(const Solid& solid, SphereTree tree, double length) {
-    const DecimalGrid grid(solid.bounds().diagonal());
+    const DecimalGrid grid = grid_for(solid, tree);
     for (SphereTree::Level& level : tree.levels) {
         for (Sphere& sphere : level.elements.spheres()) {
             sphere.radius = grid.up(sphere.radius + length);

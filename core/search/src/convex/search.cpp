@@ -7,6 +7,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/internal/own_frame.hpp>
+#include <foam/geometry/internal/proof.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/search/cover.hpp>
 #include <foam/search/least_element.hpp>
@@ -58,6 +59,14 @@ std::vector<Vec3> points_of(const Partition& partition, const Piece& piece, cons
     return points;
 }
 
+Elements all_grown(const std::vector<Element>& elements, double length) {
+    Elements result;
+    for (const Element& element : elements) {
+        result.add(grown(element, length));
+    }
+    return result;
+}
+
 /// Returns the count whose elements those of a count of at least 2 are compared with: the largest one below of 1, 2, 4,
 /// 8, 16, 64, 256…
 std::size_t rung_below(std::size_t count) {
@@ -101,12 +110,15 @@ struct Search::Data {
         }
         std::optional<Rated> best;
         const bool done = by_spheres::completed_unless_stopped(options.stop, [&] {
-            if (count == 1) {
-                best = single();
-                return;
+            if (count > 1) {
+                best = best_of(rung_below(count));
             }
-            best = best_of(rung_below(count));
-            take_better(*best, several(count));
+            if (Data* quicker = with_less_effort()) { // more effort is never worse
+                Rated found = quicker->best_of(count);
+                best ? take_better(*best, std::move(found)) : void(best = std::move(found));
+            }
+            Rated found = count > 1 ? several(count) : single();
+            best ? take_better(*best, std::move(found)) : void(best = std::move(found));
         });
         if (!best) {
             best = Rated{single(Effort::fast), {}};
@@ -115,6 +127,19 @@ struct Search::Data {
             known.emplace(count, *best);
         }
         return *best;
+    }
+
+    /// Returns the same search with less effort; null if there is none.
+    Data* with_less_effort() {
+        if (options.effort == Effort::fast) {
+            return nullptr;
+        }
+        if (!quicker_) {
+            CoverOptions less = options;
+            less.effort = options.effort == Effort::best ? Effort::normal : Effort::fast;
+            quicker_ = std::make_unique<Data>(solid, less);
+        }
+        return quicker_.get();
     }
 
     bool has(Element::Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
@@ -257,12 +282,26 @@ struct Search::Data {
     Cover cover_by(const std::vector<Element>& elements) {
         // They cover with numbers of six digits, too. What this adds to slivers counts. The proof halves the surfaces
         // of round primitives down to the overlap, but cuts triangles along the elements.
-        const double overlap = (has_round_parts() ? 3e-4 : 1e-6) * body().unit;
-        Elements level;
-        for (const Element& element : elements) {
-            level.add(grown(element, overlap));
+        constexpr double usual = 1e-6, of_round_parts = 3e-4, of_thin = 1e-10; // of the size
+        constexpr double thin = 3e-2, flat = 1e-5;
+        const double unit = body().unit;
+        if (has_round_parts()) {
+            return proved(solid, all_grown(elements, of_round_parts * unit));
         }
-        return proved(solid, std::move(level));
+        const auto is_thin = [&](const Element& element) {
+            const double share = thickness(element) / unit;
+            return share < thin && share > flat;
+        };
+        if (std::any_of(elements.begin(), elements.end(),
+                        is_thin)) { // sheets, to which the usual overlap adds too much
+            Cover cover;
+            cover.elements = all_grown(elements, of_thin * unit);
+            cover.certificate = geometry::certify_to_first_gap(solid, cover.elements);
+            if (cover.certificate.holds) {
+                return cover;
+            }
+        }
+        return proved(solid, all_grown(elements, usual * unit));
     }
     std::vector<Element> descended(const std::vector<Element>& elements) {
         const BodyOfSolid& all = body();
@@ -325,6 +364,7 @@ struct Search::Data {
     std::vector<Vec3> flush; ///< normals, once body() is known
     std::optional<by_spheres::Occupancy> occupancy_;
     std::unique_ptr<Pricing> pricing_;
+    std::unique_ptr<Data> quicker_;
     std::optional<BodyOfSolid> body_;
     std::optional<Partitions> partitions_;
     std::map<std::size_t, Rated> known;

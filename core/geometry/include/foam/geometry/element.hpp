@@ -101,6 +101,8 @@ Box bounds(const Element& element);
 double widening(const Element& element);
 /// Returns the volume, m³, exact to rounding.
 double volume(const Element& element);
+/// Returns the least extent along an axis of its own frame, m.
+double thickness(const Element& element);
 /// Returns the part of the line origin + t · direction in the element; direction need not be unit. Exact to rounding.
 struct LinePart {
     double enter, leave;
