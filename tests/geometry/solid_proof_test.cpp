@@ -253,7 +253,8 @@ TEST_P(EachKindFills, RandomCoversAreFullWhereProvedAndHollowWhereFound) {
     }
     EXPECT_GT(full, 0);
     // What is round in all directions and grows to the surface leaves hardly a cavity.
-    EXPECT_TRUE(hollow > 0 || GetParam() == Kind::sphere || GetParam() == Kind::capsule);
+    const bool round = GetParam() == Kind::sphere || GetParam() == Kind::capsule || GetParam() == Kind::ellipsoid;
+    EXPECT_TRUE(hollow > 0 || round);
 }
 
 TEST_P(EachKindFills, GrowthClosesCavities) {

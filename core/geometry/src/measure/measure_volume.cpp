@@ -59,8 +59,8 @@ double missing_in(const Solid& solid, const ElementSet& set) {
 }
 
 /// Integrates along one line parallel to each axis in each cell of a square grid over the box. `length_along(origin,
-/// axis, in_set)`: the length to sum, m, on a line that is inside the balls or elements on `in_set`; it is zero on lines
-/// that meet fewer than `fewest` of them.
+/// axis, in_set)`: the length to sum, m, on a line that is inside the balls or elements on `in_set`; it is zero on
+/// lines that meet fewer than `fewest` of them.
 template <class Set, class LengthAlong>
 Estimate along_lines(const Box& box, const Set& set, std::size_t fewest, std::size_t lines, std::uint64_t seed,
                      LengthAlong length_along) {
@@ -150,16 +150,13 @@ Difference difference(const Solid& solid, const Set& set, const Estimate& in_uni
         const std::size_t some = solid.closed() ? lines : lines / 4; // each takes long, and few have a small error
         return {claimed_wrongly(solid, set, some, options.seed), left_out(solid, set, covered, some, options.seed)};
     }
-    constexpr double little = 0.01; // of the volume: then pieces tell more than a difference of volumes
-    if (covered && solid.covers() == Covers::solid && surplus < little * solid.volume()) {
-        return {claimed_wrongly(solid, set, lines, options.seed), {}};
-    }
     if (surplus >= 0) {
         const Estimate missing = left_out(solid, set, covered, lines, options.seed);
         return {other(missing, surplus), missing};
     }
     const Estimate excess = claimed_wrongly(solid, set, lines, options.seed);
-    return {excess, other(excess, -surplus)};
+    const bool none_missing = covered && solid.covers() == Covers::solid; // by proof
+    return {excess, none_missing ? Estimate{} : other(excess, -surplus)};
 }
 
 } // namespace

@@ -351,7 +351,9 @@ struct Search::Data {
         return *rated.figure;
     }
     void take_better(Rated& best, Rated other) const {
-        if (figure(other) < figure(best)) {
+        constexpr double rounding = 1e-8; // of the volume, along lines
+        const double least_gain = options.objective == Objective::excess ? rounding * solid.volume() : 0;
+        if (figure(other) < figure(best) - least_gain) {
             best = std::move(other);
         }
     }
