@@ -272,6 +272,19 @@ void JudgeWritten::expect_objections_to_a_missing_element() const {
     expect_objections(spots, [](const std::string&) { return ""; });
 }
 
+// Lines through the edges of a box's triangles: points above them were taken to be inside.
+TEST_F(JudgeElements, PointsBeyondAnEdgeAreOutside) {
+    const std::string upper = collision(box(0.717, 0.497, 0.0845), "xyz=\"0 0 0.18925\""),
+                      lower = collision(box(0.705, 0.48, 0.167), "xyz=\"0 0 0.0335\"");
+    write_urdf("robot.urdf", upper + collision(box(0.58, 0.39, 0.03), "xyz=\"0 0 0.132\"") + lower);
+    write_urdf("model.urdf", collision(box(0.717002, 0.497002, 0.114502), "xyz=\"0 0 0.17425\"") +
+                                 collision(box(0.705002, 0.480002, 0.167002), "xyz=\"0 0 0.0335\""));
+    for (const char* points : {"100000", "200000"}) {
+        const Outcome verdict = judge(std::string("robot.urdf model.urdf --solid ") + points);
+        EXPECT_EQ(verdict.code, 0) << verdict.out;
+    }
+}
+
 TEST_F(JudgeElements, HasNoObjectionToCapsulesInParts) {
     write("robot.urdf", small_robot);
     write("bracket.obj", bracket);

@@ -57,19 +57,23 @@ public:
             }
             std::vector<const Corners*>& near = meshes_.emplace_back();
             for (const Corners& c : part.triangles) {
-                if (std::min({c[0].x, c[1].x, c[2].x}) <= x && std::max({c[0].x, c[1].x, c[2].x}) >= x) {
+                constexpr Real near_by = 1e-11L;
+                if (std::min({c[0].x, c[1].x, c[2].x}) <= x + near_by &&
+                    std::max({c[0].x, c[1].x, c[2].x}) >= x - near_by) {
                     near.push_back(&c);
                 }
             }
         }
     }
     void move_to(Real y) {
+        // Lines go a little beside the point: one through an edge would miss both triangles there.
+        constexpr Real aside_x = 1.1e-12L, aside_y = 2.3e-12L; // m
         y_ = y;
         crossings_.clear();
         for (const auto& mesh : meshes_) {
             std::vector<Crossing>& of_mesh = crossings_.emplace_back();
             for (const Corners* corners : mesh) {
-                if (const auto at = crossing(*corners, x_, y)) {
+                if (const auto at = crossing(*corners, x_ + aside_x, y + aside_y)) {
                     of_mesh.push_back(*at);
                 }
             }
@@ -113,7 +117,8 @@ Real outside_by(const std::vector<Body>& elements, const Point& p) {
 std::optional<Missing> missing_volume(const Link& link, const std::vector<Body>& elements, std::size_t points) {
     const Bounds bounds = bounds_of(link);
     const auto steps = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(points))));
-    const Real rounding = 1e-12L * (bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y + bounds.high.z - bounds.low.z);
+    const Real rounding =
+        1e-12L * (bounds.high.x - bounds.low.x + bounds.high.y - bounds.low.y + bounds.high.z - bounds.low.z);
     std::size_t inside = 0, missing = 0;
     Missing result;
     const auto share = [&](std::size_t i, std::size_t shift) {
