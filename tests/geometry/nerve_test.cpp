@@ -65,6 +65,25 @@ TEST(Nerve, TellsVoidsFromTunnels) {
     }
 }
 
+// Whether boxes that share a face to the last digit meet is in doubt: nothing is proved then.
+TEST(Nerve, ATouchIsNoProof) {
+    std::vector<Element> slabs;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            Vec3 size{3, 3, 3}, center{};
+            size[axis] = 1;
+            center[axis] = side;
+            for (int before = 0; before < axis; ++before) {
+                size[before] = 1;
+            }
+            Element slab = Element::box(size);
+            slab.pose.translation = center;
+            slabs.push_back(slab);
+        }
+    }
+    EXPECT_FALSE(has_no_void(slabs)) << "a cube of 1 is left in the middle";
+}
+
 TEST(Nerve, TooManySetsAreInDoubt) {
     std::vector<Element> one_place;
     for (int k = 0; k < 64; ++k) {
