@@ -244,7 +244,7 @@ FOAM_PLUGIN("refine", "1.0", "Apache-2.0") {
          .summary =
              "Guarantee fitted: moves and sizes spheres so that they differ least from the shape, in all its parts.",
          .reference = "Wang et al. 2006, Variational sphere set approximation for solid objects",
-         .revision = 4,
+         .revision = foam::fitted::revision,
          .parameters = {
              foam::Parameter::number("excess", weights.excess)
                  .unit("1")

@@ -4,7 +4,6 @@
 #include "proof/walls.hpp"
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
