@@ -11,9 +11,9 @@ namespace foam::inline geometry {
 
 enum class Meeting { common, none, doubt };
 
-/// Finds points that elements have in common. Outer approximation: the point nearest to the start within half-spaces
-/// that contain the elements, one more for each element that does not hold the last point (Kelley, The cutting-plane
-/// method for solving convex programs, 1960).
+/// Finds points that elements have in common, by cutting planes (Kelley, The cutting-plane method for solving convex
+/// programs, 1960). It tries the point nearest to the start within half-spaces that contain the elements. Each element
+/// that does not hold this point adds a half-space.
 class CommonPoint {
 public:
     /// Keeps references.

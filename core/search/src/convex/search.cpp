@@ -292,9 +292,8 @@ struct Search::Data {
             const double share = thickness(element) / unit;
             return share < thin && share > flat;
         };
-        if (std::any_of(elements.begin(), elements.end(),
-                        is_thin)) { // sheets, to which the usual overlap adds too much
-            Cover cover;
+        if (std::any_of(elements.begin(), elements.end(), is_thin)) {
+            Cover cover; // the usual overlap adds too much to sheets
             cover.elements = all_grown(elements, of_thin * unit);
             cover.certificate = geometry::certify_to_first_gap(solid, cover.elements);
             if (cover.certificate.holds) {
