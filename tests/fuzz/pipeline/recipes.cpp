@@ -123,7 +123,8 @@ private:
             Dice dice(derive_seed(seed_, where + stage + "." + parameter.name));
             const bool needed = where.empty() && ((parameter.name == "most" && !spheres_) ||
                                                   (costly_by_default(parameter.name) && !dice.chance(0.03)));
-            if (dice.chance(share) || needed) {
+            const bool refused = guarantee_ == "fitted" && parameter.name == "objective"; // a conflict
+            if ((dice.chance(share) || needed) && !refused) {
                 text += (text.empty() ? "" : ", ") + parameter.name + ": " + random_value(dice, parameter);
             }
         }

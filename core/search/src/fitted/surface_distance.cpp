@@ -59,12 +59,19 @@ Nearest::Nearest(const Points& points, const Balls& balls)
 }
 
 float Nearest::high() const {
-    double sum = 0;
+    float largest = 0;
     for (const float d : distance) {
-        sum += d > 0 ? to_the_seventh(d) * d : 0;
+        largest = std::max(largest, d);
     }
-    const double count = static_cast<double>(std::max<std::size_t>(distance.size(), 1));
-    return static_cast<float>(std::pow(sum / count, 1.0 / power));
+    if (!(largest > 0)) {
+        return 0;
+    }
+    double sum = 0; // of shares of the largest: the power of a small distance itself underflows
+    for (const float d : distance) {
+        const float share = std::max(d, 0.0f) / largest;
+        sum += to_the_seventh(share) * share;
+    }
+    return largest * static_cast<float>(std::pow(sum / static_cast<double>(distance.size()), 1.0 / power));
 }
 
 SurfaceDistance::SurfaceDistance(const Solid& solid, const by_spheres::Frame& frame, std::size_t points)
