@@ -71,7 +71,8 @@ std::size_t Partitions::bricks_for(std::size_t count) const {
         return std::max(few_for_hulls, 4 * count);
     }
     std::size_t number = plan_.bricks;
-    while (number < bricks_a_piece * count) {
+    const std::size_t a_piece = body_.is_filled ? bricks_a_filled_piece : bricks_a_piece;
+    while (number < a_piece * count) {
         number *= 2;
     }
     return number;

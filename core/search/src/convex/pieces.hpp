@@ -138,7 +138,8 @@ private:
         std::vector<Brick> bricks;
         Merges merges;
     };
-    static constexpr std::size_t bricks_a_piece = 6; ///< at least, where not all are hulls
+    /// At least, where not all are hulls. Those of a filled body have bricks inside it besides.
+    static constexpr std::size_t bricks_a_piece = 6, bricks_a_filled_piece = 5;
 
     /// Returns about so many bricks that make up pieces, and the merges of them. For hulls the same serve for several
     /// numbers.

@@ -126,7 +126,12 @@ Rectangle rectangle_along(const std::vector<Vec2>& hull, const Vec2& d, double l
 /// rounding they may stop early: the area is then too small.
 Rectangle by_calipers(const std::vector<Vec2>& hull, double least) {
     const std::size_t n = hull.size();
-    const auto corner = [&](std::size_t i) -> const Vec2& { return hull[i % n]; };
+    const auto corner = [&](std::size_t i) -> const Vec2& { // much quicker than a division
+        while (i >= n) {
+            i -= n;
+        }
+        return hull[i];
+    };
     // Goes on from a corner to the farthest in a direction: the height rises to it and falls from there.
     const auto climb = [&](std::size_t& at, std::size_t from, const Vec2& d) {
         at = std::max(at, from);
