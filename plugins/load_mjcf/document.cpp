@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace foam::mjcf {
 namespace fs = std::filesystem;
 namespace {
@@ -39,6 +41,11 @@ const std::string& Node::required(std::string_view key) const {
         fail(fmt::format("<{0}> has no {1}; remedy: add {1}=\"…\"", name(), key));
     }
     return *text;
+}
+
+fs::path path_of(std::string reference) {
+    std::replace(reference.begin(), reference.end(), '\\', '/');
+    return reference;
 }
 
 Document::Document(const std::string& text, const fs::path& file) {
@@ -76,7 +83,7 @@ void Document::expand(Node& node) {
 /// Appends the elements of an included file. MuJoCo looks beside the main file first, then beside the file that
 /// includes.
 void Document::include(const Node& place, std::vector<Node>& into) {
-    const fs::path name = place.required("file");
+    const fs::path name = path_of(place.required("file"));
     const fs::path first = folder() / name, second = place.file->path.parent_path() / name;
     std::error_code error;
     const fs::path file = fs::is_regular_file(first, error) ? first : second;

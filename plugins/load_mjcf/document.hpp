@@ -37,6 +37,9 @@ struct Node {
     const std::string& required(std::string_view key) const;
 };
 
+/// Returns the path that a reference states; MuJoCo takes both kinds of slashes.
+std::filesystem::path path_of(std::string reference);
+
 /// An MJCF and the files that it includes. Nodes point into it.
 class Document {
 public:

@@ -55,8 +55,8 @@ MeshAsset::MeshAsset(const Model& model, const Node& node) : node_(node), attrib
 
 void MeshAsset::resolve(const Model& model) {
     uri_ = attributes_.word("file");
-    const fs::path name = model.settings.strippath ? fs::path(uri_).filename() : fs::path(uri_);
-    const fs::path folder = model.settings.meshdir, beside = node_.file->path.parent_path();
+    const fs::path stated = path_of(uri_), name = model.settings.strippath ? stated.filename() : stated;
+    const fs::path folder = path_of(model.settings.meshdir), beside = node_.file->path.parent_path();
     for (const fs::path& file : {model.document.folder() / folder / name, beside / name, beside / folder / name}) {
         std::error_code error;
         if (fs::is_regular_file(file, error)) {

@@ -69,7 +69,7 @@ void Model::read_assets(int depth) {
     for (const Node* asset : document.root().children_named("asset")) {
         for (const Node* mesh : asset->children_named("mesh")) {
             const std::string *name = mesh->attribute("name"), *file = mesh->attribute("file");
-            const std::string key = name ? *name : file ? fs::path(*file).stem().string() : "";
+            const std::string key = name ? *name : file ? path_of(*file).stem().string() : "";
             if (key.empty()) {
                 mesh->fail("<mesh> has neither name nor file; remedy: add name=\"…\"");
             }
@@ -84,7 +84,7 @@ void Model::read_assets(int depth) {
             if (depth == deepest_models) {
                 node->fail(fmt::format("models attach models more than {} deep", deepest_models));
             }
-            const fs::path file = document.folder() / node->required("file");
+            const fs::path file = document.folder() / path_of(node->required("file"));
             std::error_code error;
             if (!fs::is_regular_file(file, error)) {
                 node->fail(fmt::format("the model '{}' is not found; remedy: correct its path", file.string()));

@@ -68,7 +68,7 @@ TEST(LoadMjcfErrors, OfFilesThatLeadToThemselves) {
     const auto file = [&](const char* name) { return (folder.path() / name).string(); };
     write(file("a.xml"), "<mujoco><include file='a.xml'/></mujoco>");
     EXPECT_EQ(error_of("<mujoco><include file='a.xml'/></mujoco>", file("robot.xml")),
-              file("a.xml") + ":1: the file '" + file("a.xml") + "' is included twice; remedy: keep one <include>");
+              file("a.xml") + ":1: the file 'a.xml' is included twice; remedy: keep one <include>");
     write(file("b.xml"), "<mujoco><asset><model name='b' file='b.xml'/></asset></mujoco>");
     EXPECT_EQ(error_of("<mujoco><asset><model name='b' file='b.xml'/></asset></mujoco>", file("robot.xml")),
               file("b.xml") + ":1: models attach models more than 20 deep");

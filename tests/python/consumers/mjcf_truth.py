@@ -9,9 +9,10 @@ import foam
 
 GEOM = mujoco.mjtGeom
 KINDS = {
-    GEOM.mjGEOM_SPHERE: "sphere", GEOM.mjGEOM_CAPSULE: "capsule", GEOM.mjGEOM_CYLINDER: "cylinder",
-    GEOM.mjGEOM_BOX: "box", GEOM.mjGEOM_ELLIPSOID: "ellipsoid",
+    int(GEOM.mjGEOM_SPHERE): "sphere", int(GEOM.mjGEOM_CAPSULE): "capsule", int(GEOM.mjGEOM_CYLINDER): "cylinder",
+    int(GEOM.mjGEOM_BOX): "box", int(GEOM.mjGEOM_ELLIPSOID): "ellipsoid",
 }  # fmt: skip
+GROUND = (int(GEOM.mjGEOM_PLANE), int(GEOM.mjGEOM_HFIELD))
 NUMBERS = {
     "sphere": lambda s: {"radius": s[0]}, "capsule": lambda s: {"radius": s[0], "length": 2 * s[1]},
     "cylinder": lambda s: {"radius": s[0], "length": 2 * s[1]}, "box": lambda s: {"size": 2 * s},
@@ -26,7 +27,7 @@ def collides(model):
     paired = set(model.pair_geom1) | set(model.pair_geom2)
     geoms = {}
     for g in range(model.ngeom):
-        ground = model.geom_type[g] in (GEOM.mjGEOM_PLANE, GEOM.mjGEOM_HFIELD)
+        ground = int(model.geom_type[g]) in GROUND
         if not ground and (model.geom_contype[g] or model.geom_conaffinity[g] or g in paired):
             geoms.setdefault(int(model.geom_bodyid[g]), []).append(g)
     return geoms
@@ -126,7 +127,7 @@ def check_mesh(model, g, vertices, tolerance, folder):
 
 
 def check_primitive(model, g, part, tolerance):
-    kind = KINDS[model.geom_type[g]]
+    kind = KINDS.get(int(model.geom_type[g]))
     assert part["kind"] == kind, f"geom {g}: {part['kind']}, not {kind}"
     for key, value in NUMBERS[kind](model.geom_size[g]).items():
         np.testing.assert_allclose(part[key], value, rtol=1e-9, atol=tolerance, err_msg=f"geom {g} {key}")
