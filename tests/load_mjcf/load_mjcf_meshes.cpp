@@ -1,6 +1,8 @@
 // Meshes of MJCF: files and vertices, where they stand, hulls, and primitives that are fitted to them.
 #include "loading.hpp"
 
+#include <foam/base/text.hpp>
+
 #include <algorithm>
 
 namespace foam::test {
@@ -93,6 +95,22 @@ TEST(LoadMjcfMeshes, ReadsMshFiles) {
         "<mujoco><asset><mesh file='t.msh'/></asset><worldbody><geom type='mesh' mesh='t'/></worldbody></mujoco>",
         context, folder.path() / "robot.xml");
     expect_at(box_of(robot).high, {1, 2, 3});
+}
+
+TEST(LoadMjcfMeshes, KeepsEveryVertexInSinglePrecision) {
+    std::string vertices;
+    for (int i = 0; i < 19; ++i) { // not a multiple of what a processor takes at once
+        vertices += number_text(0.223485 + 0.01 * i) + " " + number_text(0.011841 * i * i) + " " +
+                    number_text(0.0013 * i * i * i) + " ";
+    }
+    const Robot robot = with_mesh("vertex='" + vertices + "'");
+    ASSERT_EQ(mesh_of(robot).mesh->vertices.size(), 19u);
+    for (const Vec3& v : mesh_of(robot).mesh->vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const volatile float single = static_cast<float>(v[axis]);
+            EXPECT_EQ(single, v[axis]);
+        }
+    }
 }
 
 /// A box of 2 x 4 x 6 about (1, 2, 3), whose triangles stand in the text.

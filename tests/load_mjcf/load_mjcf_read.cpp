@@ -158,7 +158,8 @@ TEST(LoadMjcf, SplicesIncludedFiles) {
           "<x><worldbody><body name='b'><include file='c.xml'/></body></worldbody></x>");
     write(folder.path() / "c.xml", "<x><geom size='1' euler='1.5707963267948966 0 0'/></x>"); // beside the main file
     QuietContext context;
-    const Robot robot = load_mjcf("<mujoco><include file='sub\\\\a.xml'/></mujoco>", context, folder.path() / "robot.xml");
+    const Robot robot =
+        load_mjcf("<mujoco><include file='sub\\\\a.xml'/></mujoco>", context, folder.path() / "robot.xml");
     expect_at(geom(robot, 0, "b").origin.rotate({0, 0, 1}), {0, -1, 0});
 }
 
