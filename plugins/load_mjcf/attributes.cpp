@@ -9,8 +9,8 @@
 namespace foam::mjcf {
 namespace {
 
-/// Words for an orientation. One replaces another; `quat` gives way to all of them.
-constexpr std::string_view orientations[] = {"axisangle", "xyaxes", "zaxis", "euler"};
+/// Words for an orientation. One replaces another.
+constexpr std::string_view orientations[] = {"quat", "axisangle", "xyaxes", "zaxis", "euler"};
 
 /// Returns the numbers of `own`, followed by those that `inherited` has beyond them: MuJoCo reads a size into the place
 /// of the inherited one.
@@ -27,11 +27,8 @@ std::string completed(const std::string& own, const std::string& inherited) {
 
 void Attributes::take(const Node& node) {
     node_ = &node;
-    const bool turned = node.attribute("quat") != nullptr;
     if (std::count_if(std::begin(orientations), std::end(orientations),
-                      [&](std::string_view key) { return node.attribute(key) != nullptr; }) +
-            (turned ? 1 : 0) >
-        1) {
+                      [&](std::string_view key) { return node.attribute(key) != nullptr; }) > 1) {
         node.fail("it states two orientations; remedy: one of quat, axisangle, euler, xyaxes, zaxis");
     }
     for (const auto& [key, value] : node.element->attributes) {

@@ -129,13 +129,13 @@ public:
         const std::string* name = model.document.root().attribute("model");
         tree_.robot.name = name && !name->empty() ? *name : model.document.root().file->path.stem().string();
         tree_.robot.root = "world";
-        main_ = &model;
         add_link("world");
         Content content;
         for (const Node* world : model.document.root().children_named("worldbody")) {
             content.add_children(*world, {.model = &model});
         }
         add_content(content, "world", 0);
+        mark_pairs(model);
         return std::move(tree_);
     }
 
@@ -248,9 +248,26 @@ private:
         geom.link = link;
         if (stated) {
             geom.name = scope.named(*stated);
-            geom.paired = scope.model->paired.contains(*stated) || main_->paired.contains(geom.name);
+            named_.push_back({tree_.geoms.size(), *stated, scope.prefix, scope.suffix});
+            names_.insert(geom.name);
         }
         tree_.geoms.push_back(std::move(geom));
+    }
+
+    /// Marks the geoms of each <pair> whose geoms both exist, of the model and of each that it attaches.
+    void mark_pairs(const Model& main) {
+        const auto mark = [&](std::size_t geom, const std::string& name, const auto& pairs, const auto& full) {
+            for (const auto& [first, second] : pairs) {
+                const bool names_it = name == first || name == second;
+                tree_.geoms[geom].paired |= names_it && names_.contains(full(name == first ? second : first));
+            }
+        };
+        for (const Named& named : named_) {
+            const Geom& geom = tree_.geoms[named.geom];
+            mark(named.geom, named.stated, geom.model->pairs,
+                 [&](const std::string& other) { return named.prefix + other + named.suffix; });
+            mark(named.geom, geom.name, main.pairs, [](const std::string& other) { return other; });
+        }
     }
 
     static Inertial inertial_of(const Item& item) {
@@ -273,8 +290,15 @@ private:
         return inertial;
     }
 
-    const Model* main_ = nullptr;
+    /// A geom with a name, as its model states it.
+    struct Named {
+        std::size_t geom;
+        std::string stated, prefix, suffix;
+    };
+
     Tree tree_;
+    std::vector<Named> named_;
+    std::set<std::string> names_; ///< of geoms
     std::set<std::string> links_, joints_;
     std::size_t bodies_ = 0, joint_ = 0;
 };

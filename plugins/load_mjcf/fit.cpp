@@ -128,7 +128,7 @@ std::optional<Pose> jacobi_turn(const Matrix& m, int& about) {
         (m[static_cast<std::size_t>(column)][column] - m[static_cast<std::size_t>(row)][row]) / (2 * entry);
     const double t = tau >= 0 ? 1 / (tau + std::sqrt(1 + tau * tau)) : -1 / (-tau + std::sqrt(1 + tau * tau));
     const double cosine = 1 / std::sqrt(1 + t * t);
-    if (cosine > 1 - small) {
+    if (cosine == 1) {
         return {};
     }
     about = axis;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
-/// Returns the number in single precision. It is a call because g++ 12 with -O3 leaves out such a rounding where it
-/// vectorises the loop.
-[[gnu::noinline]] double in_single_precision(double value) {
-    return static_cast<float>(value);
+/// Returns the number in single precision, by way of memory: g++ 12 leaves conversions out where it vectorises them.
+double in_single_precision(double value) {
+    const volatile float rounded = static_cast<float>(value);
+    return rounded;
 }
 
 /// Returns the mesh with vertices in single precision, as MuJoCo keeps them.

@@ -35,8 +35,7 @@ Model::Model(const std::string& text, const fs::path& file, int depth)
     read_assets(depth);
     for (const Node* contact : document.root().children_named("contact")) {
         for (const Node* pair : contact->children_named("pair")) {
-            paired.insert(pair->required("geom1"));
-            paired.insert(pair->required("geom2"));
+            pairs.emplace_back(pair->required("geom1"), pair->required("geom2"));
         }
     }
 }

@@ -7,8 +7,9 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace foam::mjcf {
 
@@ -26,7 +27,7 @@ struct Model {
     Settings settings;
     Classes classes;
     std::map<std::string, const Node*> meshes, materials;
-    std::set<std::string> paired; ///< geoms that a <pair> names
+    std::vector<std::pair<std::string, std::string>> pairs; ///< geoms of <pair>
     std::map<std::string, std::unique_ptr<const Model>> models;
 
     /// A body or a frame, and the class that holds for it.

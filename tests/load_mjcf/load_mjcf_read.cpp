@@ -237,6 +237,20 @@ TEST(LoadMjcf, WhatHasNoContactIsSeenAlone) {
         testing::ElementsAre("1 plane or height field with contact: no elements cover a plane or a height field"));
 }
 
+TEST(LoadMjcf, APairNeedsBothGeoms) {
+    const TemporaryFolder folder;
+    write(folder.path() / "hand.xml", R"(<mujoco><contact><pair geom1="a" geom2="b"/></contact><default>
+        <geom size="1" contype="0" conaffinity="0"/></default><worldbody><body name="p"><geom name="a"/>
+        <body name="q"><geom name="b"/></body></body></worldbody></mujoco>)");
+    QuietContext context;
+    const Robot robot = load_mjcf(R"(<mujoco><asset><model name="h" file="hand.xml"/></asset><worldbody>
+        <frame><attach model="h" body="p" prefix="x_"/><attach model="h" body="q" prefix="y_"/></frame></worldbody></mujoco>)",
+                                  context, folder.path() / "robot.xml");
+    EXPECT_EQ(link_of(robot, "x_p").collisions.size(), 1u);
+    EXPECT_EQ(link_of(robot, "x_q").collisions.size(), 1u);
+    EXPECT_TRUE(link_of(robot, "y_q").collisions.empty()); // its partner is not attached
+}
+
 TEST(LoadMjcf, KeepsTheStatedMass) {
     const Robot robot = load_world("<body name='a'><inertial mass='2' pos='1 0 0' diaginertia='1 2 3'/></body>");
     const Inertial& inertial = link_of(robot, "a").inertial.value();

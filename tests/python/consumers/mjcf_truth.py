@@ -148,7 +148,8 @@ def compare(robot, model, folder, poses=20, seed=0):
     links = {name_of(model.body(b).name, "body", b): b for b in range(model.nbody)}
     ours = {link: robot._core.parts(link) for link in robot.links_with_geometry}
     theirs = {link: len(geoms.get(b, [])) for link, b in links.items() if geoms.get(b)}
-    assert {link: len(parts) for link, parts in ours.items()} == theirs
+    counted = {link: len(parts) for link, parts in ours.items()}
+    assert counted == theirs, f"geoms with contact: {set(counted.items()) ^ set(theirs.items())}"
     size = max(1e-9, model.stat.extent, np.abs(model.geom_pos).max(initial=0))
     for link, parts in ours.items():
         for g, part in zip(geoms[links[link]], parts):
