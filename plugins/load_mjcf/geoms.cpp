@@ -79,10 +79,10 @@ Element fitted_to_mesh(const Geom& geom, Kind kind) {
     }
     const std::string inertia = geom.mesh->attributes().word("inertia", "legacy");
     try {
-        return fitted(*geom.mesh->mesh(), {.kind = kind,
-                                           .inertia = inertia,
-                                           .by_box = geom.model->settings.fitaabb,
-                                           .scale = geom.attributes.number("fitscale").value_or(1)});
+        return fitted(geom.mesh->mesh(), {.kind = kind,
+                                          .inertia = inertia,
+                                          .by_box = geom.model->settings.fitaabb,
+                                          .scale = geom.attributes.number("fitscale").value_or(1)});
     } catch (const Error& error) {
         if (error.code() != ErrorCode::geometry) {
             throw;
@@ -171,10 +171,7 @@ void Shapes::prepare(Geom& geom) {
 GeometryElement Shapes::collision(const Geom& geom) const {
     GeometryElement element = element_of(geom);
     if (geom.is_mesh()) {
-        const bool hull = hulls_ && geom.type() == "mesh";
-        element.geometry = geom.mesh->reference(hull                    ? geom.mesh->hull()
-                                                : geom.mesh->is_plain() ? nullptr
-                                                                        : geom.mesh->mesh());
+        element.geometry = hulls_ && geom.type() == "mesh" ? geom.mesh->hull() : geom.mesh->surface();
     }
     return element;
 }
@@ -188,7 +185,7 @@ std::optional<GeometryElement> Shapes::visual(const Geom& geom, Context& context
     try {
         GeometryElement element = element_of(geom);
         if (geom.is_mesh()) {
-            element.geometry = geom.mesh->reference(geom.mesh->is_plain() ? nullptr : geom.mesh->mesh());
+            element.geometry = geom.mesh->surface();
         }
         element.material = material_of(geom);
         return element;

@@ -31,10 +31,6 @@ Mesh in_single_precision(Mesh mesh) {
     return mesh;
 }
 
-std::shared_ptr<const Mesh> hull_of(const Mesh& mesh) {
-    return std::make_shared<const Mesh>(convex_hull(mesh.vertices)->surface);
-}
-
 } // namespace
 
 MeshAsset::MeshAsset(const Model& model, const Node& node) : node_(node), attributes_(model.classes.of(node, "")) {
@@ -79,8 +75,12 @@ bool MeshAsset::is_plain() const {
     return !uri_.empty() && reference_ == Pose{} && lower_case(path_.extension().string()) != ".msh";
 }
 
-MeshReference MeshAsset::reference(std::shared_ptr<const Mesh> whole) const {
-    return {.uri = uri_, .path = path_, .scale = whole ? Vec3{1, 1, 1} : scale_, .mesh = std::move(whole)};
+MeshReference MeshAsset::reference(std::shared_ptr<const Mesh> mesh) const {
+    const bool in_place = reference_ == Pose{};
+    return {.uri = in_place ? uri_ : "",
+            .path = path_,
+            .scale = in_place ? scale_ : Vec3{1, 1, 1},
+            .mesh = std::move(mesh)};
 }
 
 void MeshAsset::fail_missing(const Node& geom) const {
@@ -130,15 +130,18 @@ Mesh MeshAsset::read_raw(const MeshLoader* loader) const {
     return loader->load(path_, context);
 }
 
-void MeshAsset::read(const MeshLoader* loader, bool with_hull) {
+void MeshAsset::read(const MeshLoader* loader) {
     try {
         Mesh mesh = in_single_precision(read_raw(loader));
         if (mesh.triangles.empty()) { // vertices alone: MuJoCo takes the faces of their hull
             mesh = convex_hull(mesh.vertices)->surface;
         }
-        mesh_ = std::make_shared<const Mesh>(transformed(transformed(mesh, reference_.inverse()), {}, scale_));
-        if (with_hull) {
-            hull_ = hull_of(*mesh_);
+        if (reference_ != Pose{}) {
+            mesh = transformed(transformed(mesh, reference_.inverse()), {}, scale_);
+        }
+        mesh_ = std::make_shared<const Mesh>(std::move(mesh));
+        if (hull_wanted) {
+            hull_ = std::make_shared<const Mesh>(convex_hull(mesh_->vertices)->surface);
         }
     } catch (const Error& error) {
         error_.emplace(error.code() == ErrorCode::geometry ? ErrorCode::input : error.code(),
@@ -146,18 +149,28 @@ void MeshAsset::read(const MeshLoader* loader, bool with_hull) {
     }
 }
 
-const std::shared_ptr<const Mesh>& MeshAsset::mesh() const {
+void MeshAsset::require_read() const {
     if (error_) {
         throw Error(*error_);
     }
-    return mesh_;
 }
 
-const std::shared_ptr<const Mesh>& MeshAsset::hull() const {
-    if (error_) {
-        throw Error(*error_);
+Mesh MeshAsset::mesh() const {
+    require_read();
+    return reference_ == Pose{} ? transformed(*mesh_, {}, scale_) : *mesh_;
+}
+
+MeshReference MeshAsset::surface() const {
+    if (is_plain()) {
+        return reference(nullptr);
     }
-    return hull_;
+    require_read();
+    return reference(mesh_);
+}
+
+MeshReference MeshAsset::hull() const {
+    require_read();
+    return reference(hull_);
 }
 
 MeshAsset& Meshes::named(const Model& model, const std::string& name, const Attributes& geom) {
@@ -185,7 +198,7 @@ void Meshes::read(const MeshLoader* loader) {
             wanted.push_back(asset.get());
         }
     }
-    parallel_for(wanted.size(), [&](std::size_t i) { wanted[i]->read(loader, wanted[i]->hull_wanted); });
+    parallel_for(wanted.size(), [&](std::size_t i) { wanted[i]->read(loader); });
 }
 
 } // namespace foam::mjcf

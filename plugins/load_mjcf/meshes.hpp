@@ -22,19 +22,19 @@ class MeshAsset {
 public:
     MeshAsset(const Model& model, const Node& node);
 
-    /// Whether its file and its scale are all there is to it.
-    bool is_plain() const;
     bool found() const { return !path_.empty() || uri_.empty(); }
-    /// Returns the reference to the file, with its scale; without them where `whole` is the mesh itself.
-    MeshReference reference(std::shared_ptr<const Mesh> whole = nullptr) const;
+    /// Whether its file and its scale are all there is to it, and a mesh loader reads the file.
+    bool is_plain() const;
     /// Throws Error(input): its file is not found.
     [[noreturn]] void fail_missing(const Node& geom) const;
 
-    /// Reads the mesh, and makes its hull; an error is kept for mesh() and hull().
-    void read(const MeshLoader* loader, bool with_hull);
+    /// Reads the mesh, and makes its hull; an error is kept for those who ask.
+    void read(const MeshLoader* loader);
     /// Returns the mesh in the frame of a geom that names it: moved by refpos and refquat, and scaled.
-    const std::shared_ptr<const Mesh>& mesh() const;
-    const std::shared_ptr<const Mesh>& hull() const;
+    Mesh mesh() const;
+    /// Returns the mesh, or its hull, for a link. It names no file where it is moved against that of the file.
+    MeshReference surface() const;
+    MeshReference hull() const;
     const Attributes& attributes() const { return attributes_; }
 
     bool wanted = false, hull_wanted = false; ///< by a geom
@@ -43,6 +43,8 @@ private:
     Mesh read_raw(const MeshLoader* loader) const;
     Mesh of_text() const;
     void resolve(const Model& model);
+    void require_read() const;
+    MeshReference reference(std::shared_ptr<const Mesh> mesh) const;
 
     const Node& node_;
     Attributes attributes_;
@@ -51,6 +53,7 @@ private:
     std::vector<std::filesystem::path> tried_;
     Vec3 scale_{1, 1, 1};
     Pose reference_; ///< refpos and refquat
+    /// As the file has it; moved and scaled where refpos or refquat are stated.
     std::shared_ptr<const Mesh> mesh_, hull_;
     std::optional<Error> error_;
 };

@@ -45,6 +45,8 @@ TEST(LoadMjcfMeshes, FirstMovesThenTurnsThenScales) {
     expect_at(box_of(robot).low, {0, 0, -3}); // (x, y, z) - refpos, turned back by 90 degrees about z, scaled
     expect_at(box_of(robot).high, {2, 10, 0});
     EXPECT_GT(signed_volume(*mesh_of(robot).mesh), 0);
+    EXPECT_EQ(mesh_of(robot).scale, (Vec3{1, 1, 1}));
+    EXPECT_EQ(mesh_of(robot).uri, ""); // no file has this mesh
 }
 
 TEST(LoadMjcfMeshes, FilesAreFoundByNameAndFolder) {
@@ -76,7 +78,7 @@ TEST(LoadMjcfMeshes, TheTrianglesAreTakenWhereTheyAreWanted) {
                                  context, folder.path() / "robot.xml", {{"semantics", semantics}}));
     };
     EXPECT_NE(mesh("mesh", "mujoco").mesh, nullptr);
-    EXPECT_EQ(mesh("mesh", "mujoco").scale, (Vec3{1, 1, 1}));
+    EXPECT_EQ(mesh("mesh", "mujoco").scale, (Vec3{2, 2, 2}));
     EXPECT_EQ(mesh("mesh", "raw").mesh, nullptr);
     EXPECT_EQ(mesh("mesh", "raw").scale, (Vec3{2, 2, 2}));
     EXPECT_EQ(mesh("sdf", "mujoco").mesh, nullptr);
