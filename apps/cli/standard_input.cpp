@@ -98,7 +98,7 @@ std::string ending_of_content(std::string_view begin, std::uintmax_t size) {
     const std::string_view text = without_blanks(begin);
     if (text.starts_with('<')) {
         const std::string_view root = xml::root_name(text);
-        return root == "robot" ? "urdf" : root == "COLLADA" ? "dae" : "";
+        return root == "robot" ? "urdf" : root == "mujoco" ? "xml" : root == "COLLADA" ? "dae" : "";
     }
     if (begin.starts_with("glTF")) {
         return "glb";

@@ -77,7 +77,7 @@ CoveredGeometry covered_geometry(const std::string& word) {
 }
 
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options) {
-    command.add_option("original", options.original, "The geometry: a URDF or a mesh file; - is the standard input")
+    command.add_option("original", options.original, "The geometry: a URDF, an MJCF or a mesh file; - is the standard input")
         ->type_name("ORIGINAL")
         ->required();
     program.standard_input.may_be(options.original, StandardInput::Holds::geometry);

@@ -289,7 +289,7 @@ void add_output_options(CLI::App& command, SpherizeArguments& arguments, const s
 /// Adds the options that both commands have.
 void add_common_options(CLI::App& command, Program& program, const std::shared_ptr<SpherizeArguments>& arguments) {
     const std::string elements = arguments->elements ? "elements" : "spheres";
-    command.add_option("input", arguments->input, "A URDF or a mesh file; - is the standard input")
+    command.add_option("input", arguments->input, "A URDF, an MJCF or a mesh file; - is the standard input")
         ->type_name("INPUT")
         ->required();
     program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);

@@ -214,7 +214,7 @@ void add_view(Program& program) {
     command
         ->add_option(
             "models", arguments->models,
-            "A URDF or a mesh, then models of it, spheres or other elements in any format that is read; or such a "
+            "A URDF, an MJCF or a mesh, then models of it, spheres or other elements in any format that is read; or such a "
             "model alone; one may be -, the standard input")
         ->type_name("MODEL")
         ->required();

@@ -32,9 +32,11 @@ void refuse_xacro(const xml::Element& element, const Reader& reader) {
 }
 
 void require_robot(const xml::Element& root, const Reader& reader) {
-    if (root.name == "sdf" || root.name == "mujoco") {
-        reader.fail(root, fmt::format("this is a{} file, not a URDF; convert it first",
-                                      root.name == "sdf" ? "n SDF" : " MuJoCo"));
+    if (root.name == "sdf") {
+        reader.fail(root, "this is an SDF file, not a URDF; convert it first");
+    }
+    if (root.name == "mujoco") {
+        reader.fail(root, "this is an MJCF; load.mjcf reads it, but no plugin has it");
     }
     if (root.name != "robot") {
         reader.fail(root, fmt::format("the root element of a URDF is <robot>, not <{}>", root.name));

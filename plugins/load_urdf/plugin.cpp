@@ -56,6 +56,8 @@ class UrdfLoader final : public RobotLoader {
 public:
     explicit UrdfLoader(const Parameters& parameters) : lenient_(parameters.boolean("lenient")) {}
 
+    bool recognises(std::string_view text) const override { return xml::root_name(text) == "robot"; }
+
     Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
         const Reader reader(file.string(), lenient_);

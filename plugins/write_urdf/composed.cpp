@@ -2,6 +2,7 @@
 
 #include "sphere_urdf.hpp"
 
+#include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/vector.hpp>
@@ -66,6 +67,12 @@ void add_element(Lines& lines, const char* tag, const GeometryElement& element) 
     lines.add(2, fmt::format("</{}>", tag));
 }
 
+/// Returns whether it is a mesh that a URDF cannot name.
+bool stands_in_no_file(const GeometryElement& element) {
+    const auto* mesh = std::get_if<MeshReference>(&element.geometry);
+    return mesh && mesh->uri.empty();
+}
+
 void add_inertial(Lines& lines, const Inertial& inertial) {
     if (!inertial.mass || !inertial.moments) {
         return;
@@ -87,9 +94,16 @@ void add_link(Lines& lines, const Link& link) {
         add_inertial(lines, *link.inertial);
     }
     for (const GeometryElement& visual : link.visuals) {
-        add_element(lines, "visual", visual);
+        if (!stands_in_no_file(visual)) {
+            add_element(lines, "visual", visual);
+        }
     }
     for (const GeometryElement& collision : link.collisions) {
+        if (stands_in_no_file(collision)) {
+            throw Error(ErrorCode::output, fmt::format("write.urdf: link '{}' keeps a mesh that no file has; remedy: "
+                                                       "elements for it",
+                                                       shown(link.name)));
+        }
         add_element(lines, "collision", collision);
     }
     lines.add(1, empty ? "" : "</link>");

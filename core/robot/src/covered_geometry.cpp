@@ -9,7 +9,8 @@ bool same_geometry(const Geometry& a, const Geometry& b) {
     const auto* mesh = std::get_if<MeshReference>(&a);
     const auto* other = std::get_if<MeshReference>(&b);
     if (mesh && other) {
-        return mesh->path == other->path && mesh->scale == other->scale;
+        const bool same = mesh->mesh == other->mesh || (mesh->mesh && other->mesh && *mesh->mesh == *other->mesh);
+        return same && mesh->path == other->path && mesh->scale == other->scale;
     }
     return !mesh && !other && std::get<Element>(a) == std::get<Element>(b);
 }

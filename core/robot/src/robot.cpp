@@ -34,7 +34,7 @@ std::vector<std::filesystem::path> mesh_files(const Robot& robot) {
     for (const Link& link : robot.links) {
         for (const std::vector<GeometryElement>* elements : {&link.collisions, &link.visuals}) {
             for (const GeometryElement& element : *elements) {
-                if (const auto* mesh = std::get_if<MeshReference>(&element.geometry)) {
+                if (const auto* mesh = std::get_if<MeshReference>(&element.geometry); mesh && !mesh->path.empty()) {
                     files.push_back(mesh->path);
                 }
             }

@@ -112,7 +112,7 @@ Robot without_missing_visuals(Robot robot) {
     for (Link& link : robot.links) {
         std::erase_if(link.visuals, [](const GeometryElement& element) {
             const auto* mesh = std::get_if<MeshReference>(&element.geometry);
-            return mesh && mesh->path.empty();
+            return mesh && mesh->path.empty() && !mesh->mesh;
         });
     }
     return robot;

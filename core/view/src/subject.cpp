@@ -17,15 +17,18 @@
 namespace foam::inline view {
 namespace {
 
-/// Returns whether the file is a URDF by its content.
-bool is_robot_file(const std::filesystem::path& file) {
-    if (extension_of(file) == "urdf") {
+/// Returns whether the file is a URDF by its content, or, as the first of all, an MJCF; a later one is a model.
+bool is_robot_file(const std::filesystem::path& file, bool first) {
+    const std::string ending = extension_of(file);
+    if (ending == "urdf") {
         return true;
     }
-    if (extension_of(file) != "xml") {
+    if (ending != "xml" && ending != "mjcf") {
         return false;
     }
-    return xml::root_name(read_file(file, most_robot_bytes)) == "robot";
+    const std::string text = read_file(file, most_robot_bytes);
+    const std::string_view root = xml::root_name(text);
+    return root == "robot" || (first && root == "mujoco");
 }
 
 /// Returns the names of links that may have spheres, as match() needs them: without their geometry.
@@ -89,7 +92,7 @@ public:
 private:
     void add(const std::filesystem::path& file) {
         const bool first = subject_.robots.empty();
-        if (is_robot_file(file) || (first && is_mesh_file(file, registry_))) {
+        if (is_robot_file(file, first) || (first && is_mesh_file(file, registry_))) {
             add_robot(file);
             return;
         }

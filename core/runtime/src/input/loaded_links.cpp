@@ -12,12 +12,12 @@
 namespace foam::inline runtime {
 namespace {
 
-/// What makes references one mesh: the file and the scale.
-using MeshKey = std::tuple<std::string, double, double, double>;
+/// What makes references one mesh: the file, or what stands in its place, and the scale.
+using MeshKey = std::tuple<std::string, const Mesh*, double, double, double>;
 
 MeshKey key_of(const MeshReference& reference) {
     const Vec3& s = reference.scale;
-    return {reference.path.empty() ? reference.uri : reference.path.string(), s.x, s.y, s.z};
+    return {reference.path.empty() ? reference.uri : reference.path.string(), reference.mesh.get(), s.x, s.y, s.z};
 }
 
 struct LoadTask : LoadedMesh {
@@ -76,7 +76,8 @@ std::vector<LoadTask> load_tasks(const std::vector<LoadedLink>& links) {
     return tasks;
 }
 
-void load(const Calls& calls, const Reading& reading, const std::string& link, LoadTask& task) {
+/// Reads the file of a mesh, and scales it.
+void read_mesh(const Calls& calls, const Reading& reading, const std::string& link, LoadTask& task) {
     const std::filesystem::path& path = task.reference.path;
     if (path.empty()) { // the robot's loader requires the files of collision geometry only
         throw Error(ErrorCode::input, fmt::format("link '{}': the mesh '{}' is not found; remedy: correct the path, or "
@@ -101,10 +102,28 @@ void load(const Calls& calls, const Reading& reading, const std::string& link, L
                               task.log = context.kept_log();
                               return std::make_shared<const Mesh>(std::move(mesh));
                           });
+}
+
+/// Takes the mesh that the robot holds itself.
+void take_own(const Calls& calls, const Reading& reading, LoadTask& task) {
+    if (!task.reference.path.empty()) {
+        task.file = mesh_file_of(calls.registry, reading, task.reference);
+    }
+    Mesh mesh = *task.reference.mesh;
+    scale(mesh, task.reference.scale);
+    task.mesh = std::make_shared<const Mesh>(std::move(mesh));
+}
+
+void load(const Calls& calls, const Reading& reading, const std::string& link, LoadTask& task) {
+    if (task.reference.mesh) {
+        take_own(calls, reading, task);
+    } else {
+        read_mesh(calls, reading, link, task);
+    }
     for (const Vec3& vertex : task.mesh->vertices) {
         if (!is_finite(vertex)) {
-            throw Error(ErrorCode::input,
-                        fmt::format("link '{}': {}: a vertex is not finite after scaling", link, path.string()));
+            throw Error(ErrorCode::input, fmt::format("link '{}': {}: a vertex is not finite after scaling", link,
+                                                      task.reference.path.string()));
         }
     }
     task.report.output = digest_of_content(*task.mesh);
@@ -117,8 +136,10 @@ void take(const Calls& calls, const std::string& link, LoadTask& task, const Loa
     task.reference = reference;
     task.file.reference = task.report.input = reference.uri;
     task.report.seconds = 0;
-    calls.journal.repeat(task.log, link, task.report.stage);
-    calls.journal.finished(link, task.report);
+    if (!task.reference.mesh) {
+        calls.journal.repeat(task.log, link, task.report.stage);
+        calls.journal.finished(link, task.report);
+    }
 }
 
 /// Hands the results of the tasks to the links.
@@ -131,7 +152,9 @@ LoadedLinks finished(std::vector<LoadedLink> links, std::vector<LoadTask> tasks)
         for (const auto [l, e] : task.targets) {
             links[l].elements[e].raw = task.mesh;
             links[l].elements[e].read = task.report.output;
-            links[l].loaders.push_back(task.report);
+            if (!task.reference.mesh) {
+                links[l].loaders.push_back(task.report);
+            }
             if (task.error && !links[l].error) {
                 links[l].error.emplace(*task.error);
             }
@@ -174,7 +197,8 @@ LoadedLinks load_links(const Calls& calls, const Reading& reading, const Robot& 
     for (const LoadedMesh& mesh : known) {
         before.emplace(key_of(mesh.reference), &mesh);
     }
-    calls.journal.expect(tasks.size());
+    calls.journal.expect(static_cast<std::size_t>(
+        std::count_if(tasks.begin(), tasks.end(), [](const LoadTask& task) { return !task.reference.mesh; })));
     run_all(tasks, [&](LoadTask& task) {
         const std::string& link = links[task.targets.front().link].link->name;
         if (const auto found = before.find(key_of(task.reference)); found != before.end()) {

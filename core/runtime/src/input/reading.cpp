@@ -50,11 +50,19 @@ DigestedFile digest_of_mesh(const Registry& registry, const Reading& reading, co
                  : digest_of_file(file);
 }
 
-const RegisteredStage& robot_loader_of(const Registry& registry, const Reading& reading, const fs::path& file) {
-    const RegisteredStage* loader =
-        registry.find_for_extension(StageKind::robot_loader, extension_of(file), reading.preferred_loader);
-    if (!loader) {
-        loader = registry.find_for_extension(StageKind::robot_loader, "urdf");
+/// Returns the loader that recognises the text. Where none does, that of the file name's ending, or of URDFs, says what
+/// is wrong with it.
+const RegisteredStage& robot_loader_of(const Registry& registry, const Reading& reading, const fs::path& file,
+                                       std::string_view text) {
+    const RegisteredStage* loader = nullptr;
+    for (const auto& [name, stage] : registry.stages()) {
+        const bool better = !loader || name == reading.preferred_loader;
+        if (stage.kind == StageKind::robot_loader && better && registry.make<RobotLoader>(name)->recognises(text)) {
+            loader = &stage;
+        }
+    }
+    for (const std::string& ending : {extension_of(file), std::string("urdf")}) {
+        loader = loader ? loader : registry.find_for_extension(StageKind::robot_loader, ending);
     }
     if (!loader) {
         throw Error(ErrorCode::plugin, "no plugin can read URDF files; `foam plugins --why` shows which plugins were "
@@ -75,7 +83,7 @@ void read_robot(const Calls& calls, const Reading& reading, LoadedInput& input) 
     const std::string text = read_file(input.file, most_robot_bytes);
     input.digest = digest_of(text);
     input.bytes = text.size();
-    const std::string loader = robot_loader_of(calls.registry, reading, input.file).info.name;
+    const std::string loader = robot_loader_of(calls.registry, reading, input.file, text).info.name;
     const fs::path name = reading.name.empty() ? input.file : reading.name;
     input.robot = std::make_shared<const Robot>(
         run_stage(calls, loader, "", name.string(), input.digest, input.report, [&](StageContext& context) {

@@ -149,6 +149,9 @@ void add_to(Hasher& hasher, const Robot& robot) {
             hasher.add(element.origin).add(element.name);
             if (const auto* mesh = std::get_if<MeshReference>(&element.geometry)) {
                 hasher.add("mesh").add(mesh->uri).add(mesh->scale);
+                if (mesh->mesh) {
+                    hasher.add(digest_of_content(*mesh->mesh));
+                }
             } else {
                 add_primitive(hasher.add("primitive"), std::get<Element>(element.geometry));
             }

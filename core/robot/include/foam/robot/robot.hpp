@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/geometry/element.hpp>
+#include <foam/geometry/mesh.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <array>
@@ -16,11 +17,14 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] robot {
 
-/// A mesh file that a robot refers to.
+/// A mesh that a robot refers to.
 struct MeshReference {
     std::string uri;            ///< as written
-    std::filesystem::path path; ///< resolved
+    std::filesystem::path path; ///< resolved; empty where the mesh stands in the robot's own text
     Vec3 scale{1, 1, 1};        ///< applied to the mesh before the origin
+    /// What the format makes of the file, such as its convex hull, or a mesh of the robot's own text; null: the mesh of
+    /// the file.
+    std::shared_ptr<const Mesh> mesh{};
 };
 
 using Geometry = std::variant<Element, MeshReference>;

@@ -56,6 +56,8 @@ class RobotLoader : public Stage {
 public:
     static constexpr StageKind kind = StageKind::robot_loader;
     ~RobotLoader() override;
+    /// Returns whether the text is a file of this format, judged by its root element. Never throws.
+    virtual bool recognises(std::string_view text) const = 0;
     /// Returns the robot. `text`: the contents of `file` (which need not exist: relative references start at its
     /// folder). All mesh references of collision elements are resolved. Throws Error(input) with file:line for what
     /// cannot be read or found.
