@@ -19,7 +19,7 @@ namespace {
 
 /// Returns whether the file is a URDF by its content.
 bool is_robot_file(const std::filesystem::path& file) {
-    if (extension_of(file) == "urdf") {
+    if (extension_of(file) == "urdf" || extension_of(file) == "xacro") {
         return true;
     }
     if (extension_of(file) != "xml") {
