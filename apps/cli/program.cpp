@@ -127,6 +127,25 @@ void add_threads(CLI::App& command, std::size_t& threads) {
         ->check(whole_number(1, 1024));
 }
 
+void add_packages(CLI::App& command, std::vector<std::string>& texts) {
+    command.add_option("--package", texts, "The folder of a package that the robot's meshes are in; repeatable")
+        ->type_name("NAME=FOLDER")
+        ->expected(1)
+        ->take_all();
+}
+
+std::vector<std::filesystem::path> package_path_of(const std::vector<std::string>& texts) {
+    std::vector<std::filesystem::path> path;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == text.npos || equals == 0 || equals + 1 == text.size() || text.find('/') < equals) {
+            throw Error(ErrorCode::usage, fmt::format("--package expects NAME=FOLDER, got '{}'", text));
+        }
+        path.push_back(package_entry(text, std::filesystem::current_path()));
+    }
+    return path;
+}
+
 void add_mesh_unit(CLI::App& command, MeshUnit& unit) {
     command.add_option("--unit", unit.unit, "Unit of the mesh, for formats without a unit; default: m")
         ->type_name(fmt::format("{}", fmt::join(length_units(), "|")))

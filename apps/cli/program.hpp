@@ -111,6 +111,10 @@ void add_strict(CLI::App& command, std::vector<std::string>& texts);
 void add_variants(CLI::App& command, std::vector<std::string>& names);
 /// `-j`: number of threads.
 void add_threads(CLI::App& command, std::size_t& threads);
+/// `--package NAME=FOLDER`, repeatable.
+void add_packages(CLI::App& command, std::vector<std::string>& texts);
+/// Returns them as entries of a package path, absolute. Throws Error(usage) for a text without '='.
+std::vector<std::filesystem::path> package_path_of(const std::vector<std::string>& texts);
 /// `--unit` and `--scale` of a single mesh.
 void add_mesh_unit(CLI::App& command, MeshUnit& unit);
 /// A length in m from "10mm"; throws Error(usage) naming the option.

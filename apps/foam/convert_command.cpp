@@ -26,7 +26,7 @@ namespace {
 
 struct ConvertArguments {
     std::string model, robot, output, format, reader, into, pad, base_link, covers = "solid";
-    std::vector<std::string> tool_frames, locks, pose, renames, settings;
+    std::vector<std::string> tool_frames, locks, pose, renames, packages, settings;
     std::size_t threads = 0;
     bool force = false, verbose = false;
 };
@@ -52,11 +52,33 @@ std::string text_of_file(const std::string& file) {
     return std::move(contents.bytes);
 }
 
+/// Returns the longest edge of the boxes around the elements of a link, m.
+double size_of(const SphereFile& file) {
+    double longest = 0;
+    for (const LinkSpheres& link : file.links) {
+        Box box;
+        for (const Sphere& sphere : link.elements.spheres()) {
+            box.add(bounds(element_of(sphere)));
+        }
+        for (const Element& element : link.elements.shaped()) {
+            box.add(bounds(element));
+        }
+        const Vec3 edges = box.empty() ? Vec3{} : box.size();
+        longest = std::max({longest, edges.x, edges.y, edges.z});
+    }
+    return longest;
+}
+
 /// Adds the padding to all radii; prints the excess before and after.
 void pad(SphereFile& file, const std::string& text, const Original* original) {
-    const double padding = length_of(text, "--pad");
+    const double padding = length_of(text, "--pad"), size = size_of(file);
     if (!(padding >= 0)) {
         throw Error(ErrorCode::usage, fmt::format("--pad expects a length of at least 0, got '{}'", text));
+    }
+    if (padding > size && parse_number(text)) {
+        tell(fmt::format("warning: --pad {0} is {0} m, more than the largest link ({1}); if it is in millimetres: --pad "
+                         "{0}mm",
+                         text, length_text(size)));
     }
     const auto excess = [&] { return evaluate(*original, match(*original, file)).total.measures.excess; };
     const double before = original ? excess() : 0;
@@ -161,6 +183,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     if (!arguments.robot.empty()) {
         original = load_original(arguments.robot, registry,
                                  {.covers = covers_named(arguments.covers),
+                                  .package_path = package_path_of(arguments.packages),
                                   .name = program.standard_input.name_of(arguments.robot)});
     }
     const Original* known = original ? &*original : nullptr;
@@ -211,6 +234,7 @@ void add_convert(Program& program) {
         ->required();
     command->add_option("--format", arguments->format, "Format of the output: curobo, xrdf, srdf, mjcf, pyroki, …")
         ->type_name("FORMAT");
+    add_packages(*command, arguments->packages);
     add_reader(*command, arguments->reader);
     add_covers(*command, arguments->covers,
                "What is asked of the elements: solid, with the inside of what is closed, or surface alone");

@@ -122,6 +122,7 @@ constexpr const char* renderer_stage = "snapshot.osmesa";
 struct GalleryArguments {
     std::string input, output, turntable, size, pose, srdf, geometry = "collision";
     std::vector<std::size_t> counts;
+    std::vector<std::string> packages;
     int frames = 48;
     MeshUnit unit;
     std::size_t threads = 0;
@@ -249,6 +250,7 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     const std::optional<Size> size = arguments.size.empty() ? std::nullopt : std::optional(size_of(arguments.size));
     const SubjectOptions options{.files = {arguments.input},
                                  .unit = arguments.unit,
+                                 .package_path = package_path_of(arguments.packages),
                                  .geometry = covered_geometry(arguments.geometry),
                                  .srdf = arguments.srdf,
                                  .nameless = program.standard_input.file(),
@@ -315,7 +317,8 @@ void add_gallery(Program& program) {
         ->type_name("FILE");
     add_force(*command, arguments->force);
     add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that the spheres cover: collision, visual or both");
+                 "The geometry of a robot that the spheres cover: collision, visual, both or collision-or-visual");
+    add_packages(*command, arguments->packages);
     add_mesh_unit(*command, arguments->unit);
     add_threads(*command, arguments->threads);
     command->callback(

@@ -141,7 +141,8 @@ void add_info(Program& program) {
     program.standard_input.may_be(arguments->input.original, StandardInput::Holds::geometry);
     program.standard_input.add_format(*command);
     add_geometry(*command, arguments->input.geometry,
-                 "The geometry of a robot that is shown: collision, visual or both");
+                 "The geometry of a robot that is shown: collision, visual, both or collision-or-visual");
+    add_packages(*command, arguments->input.packages);
     add_mesh_unit(*command, arguments->input.unit);
     add_threads(*command, arguments->input.threads);
     command->add_flag("--json", arguments->json, "Print the figures as JSON");

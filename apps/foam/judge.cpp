@@ -83,9 +83,10 @@ void add_judge_options(CLI::App& command, Program& program, JudgeOptions& option
     program.standard_input.may_be(options.original, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
     add_geometry(command, options.geometry,
-                 "The geometry of a robot that elements are judged by: collision, visual or both");
+                 "The geometry of a robot that elements are judged by: collision, visual, both or collision-or-visual");
     add_covers(command, options.covers,
                "What is asked of the elements: solid, with the inside of what is closed, or surface alone");
+    add_packages(command, options.packages);
     add_mesh_unit(command, options.unit);
     add_reader(command, options.reader);
     add_renames(command, options.renames);
@@ -102,6 +103,7 @@ Original original_of(Program& program, const JudgeOptions& options) {
                                        .unit = options.unit,
                                        .geometry = covered_geometry(options.geometry),
                                        .covers = covers_named(options.covers),
+                                       .package_path = package_path_of(options.packages),
                                        .name = program.standard_input.name_of(options.original)});
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));

@@ -18,7 +18,7 @@ namespace foam::cli {
 
 struct JudgeOptions {
     std::string original;
-    std::vector<std::string> renames, links;
+    std::vector<std::string> renames, links, packages;
     MeshUnit unit;
     std::string geometry = "collision", covers = "solid";
     std::string reader;      ///< of the spheres; empty: the one that recognises them

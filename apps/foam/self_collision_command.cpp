@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 struct SelfCollisionArguments {
     std::string urdf, model, reader, srdf, curobo, against;
-    std::vector<std::string> renames, pose;
+    std::vector<std::string> renames, pose, packages;
     std::size_t spheres = 32, threads = 0;
     SelfCollisionOptions options;
     bool json = false, force = false;
@@ -38,7 +38,8 @@ CollisionModel model_of_robot(const Program& program, const SelfCollisionArgumen
                               const Registry& registry) {
     const StandardInput& piped = program.standard_input;
     const std::filesystem::path given = arguments.urdf;
-    const OriginalOptions options{.name = piped.is(arguments.urdf) ? piped.name() : given};
+    const OriginalOptions options{.package_path = package_path_of(arguments.packages),
+                                  .name = piped.is(arguments.urdf) ? piped.name() : given};
     if (arguments.model.empty()) {
         return load_collision_model(arguments.urdf, registry, arguments.spheres, options);
     }
@@ -304,6 +305,7 @@ void add_model_options(CLI::App& command, Program& program, SelfCollisionArgumen
     program.standard_input.may_be(arguments.urdf, StandardInput::Holds::geometry);
     program.standard_input.may_be(arguments.model, StandardInput::Holds::model);
     program.standard_input.add_format(command);
+    add_packages(command, arguments.packages);
     command
         .add_option("--spheres", arguments.spheres,
                     "Maximum number of certified spheres that cover a link with other geometry, 1 to 1000")

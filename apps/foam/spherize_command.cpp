@@ -7,6 +7,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>
@@ -37,7 +38,7 @@ struct SpherizeArguments {
     QuickBudget budget;
     std::string max_protrusion, geometry = "collision", covers = "solid";
     MeshUnit unit;
-    std::vector<std::string> settings, tool_frames;
+    std::vector<std::string> settings, tool_frames, packages, xacro_arguments;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
 };
@@ -117,10 +118,27 @@ std::vector<std::string> all_settings(const SpherizeArguments& arguments, const 
     if (arguments.covers != to_string(Covers::solid)) {
         settings.push_back(fmt::format("covers={}", arguments.covers));
     }
+    const auto list = [](const std::vector<std::string>& texts) {
+        std::vector<std::string> values;
+        std::ranges::transform(texts, std::back_inserter(values), yaml::scalar_text);
+        return fmt::format("[{}]", fmt::join(values, ", "));
+    };
     if (!arguments.tool_frames.empty()) {
-        std::vector<std::string> links;
-        std::ranges::transform(arguments.tool_frames, std::back_inserter(links), yaml::scalar_text);
-        settings.push_back(fmt::format("robot.tool_frames=[{}]", fmt::join(links, ", ")));
+        settings.push_back("robot.tool_frames=" + list(arguments.tool_frames));
+    }
+    if (!arguments.xacro_arguments.empty()) {
+        if (extension_of(arguments.input) != "xacro") {
+            throw Error(ErrorCode::usage, fmt::format("'{}': only a xacro file has arguments; remedy: one INPUT",
+                                                      arguments.xacro_arguments.front()));
+        }
+        settings.push_back("loaders.load.xacro.args=" +
+                           yaml::scalar_text(fmt::format("{}", fmt::join(arguments.xacro_arguments, "\n"))));
+    }
+    if (!arguments.packages.empty()) {
+        std::vector<std::string> entries;
+        std::ranges::transform(package_path_of(arguments.packages), std::back_inserter(entries),
+                               [](const fs::path& entry) { return entry.string(); });
+        settings.push_back("package_path=" + list(entries));
     }
     settings.insert(settings.end(), arguments.settings.begin(), arguments.settings.end());
     return settings;
@@ -221,12 +239,7 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
     if (program.standard_input.is(arguments.input)) {
         require_no_name(arguments, registry);
     }
-    std::error_code error;
-    if (!fs::is_regular_file(arguments.input, error)) {
-        throw Error(ErrorCode::input, fmt::format("{}: {}", arguments.input,
-                                                  fs::exists(arguments.input, error) ? "it is not a regular file"
-                                                                                     : "there is no such file"));
-    }
+    require_file(arguments.input);
     const QuickRecipe quick = quick_recipe(arguments.input, method_of(arguments), output_ending(arguments, registry),
                                            budget_of(arguments), arguments.unit, arguments.geometry, registry);
     for (const std::string& stage : quick.left_out) {
@@ -289,16 +302,21 @@ void add_output_options(CLI::App& command, SpherizeArguments& arguments, const s
 /// Adds the options that both commands have.
 void add_common_options(CLI::App& command, Program& program, const std::shared_ptr<SpherizeArguments>& arguments) {
     const std::string elements = arguments->elements ? "elements" : "spheres";
-    command.add_option("input", arguments->input, "A URDF, an MJCF or a mesh file; - is the standard input")
+    command.add_option("input", arguments->input, "A URDF, xacro, MJCF or mesh file; - is the standard input")
         ->type_name("INPUT")
         ->required();
+    command.add_option("arguments", arguments->xacro_arguments, "Arguments of a xacro file, as for the program xacro")
+        ->type_name("NAME:=VALUE");
     program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
     add_budget_options(command, *arguments, elements);
-    add_geometry(command, arguments->geometry,
-                 fmt::format("The geometry of a robot that the {} cover: collision, visual or both", elements));
+    add_geometry(
+        command, arguments->geometry,
+        fmt::format("The geometry of a robot that the {} cover: collision, visual, both or collision-or-visual",
+                    elements));
     add_covers(command, arguments->covers,
                fmt::format("What the {} hold: solid, with the inside of what is closed, or surface alone", elements));
+    add_packages(command, arguments->packages);
     add_mesh_unit(command, arguments->unit);
     CLI::Option* method =
         command

@@ -26,7 +26,7 @@ namespace foam::cli {
 namespace {
 
 struct ViewArguments {
-    std::vector<std::string> models, renames;
+    std::vector<std::string> models, renames, packages;
     std::vector<std::size_t> counts;
     std::string reader, geometry = "collision", srdf, html;
     MeshUnit unit;
@@ -40,6 +40,7 @@ SubjectOptions subject_options(const Program& program, const ViewArguments& argu
                            .renames = renames_of(arguments.renames),
                            .reader = arguments.reader,
                            .unit = arguments.unit,
+                           .package_path = package_path_of(arguments.packages),
                            .geometry = covered_geometry(arguments.geometry),
                            .srdf = arguments.srdf,
                            .nameless = program.standard_input.file(),
@@ -238,7 +239,8 @@ void add_view(Program& program) {
     command->add_option("--srdf", arguments->srdf, "Take named poses from the group states of this SRDF")
         ->type_name("FILE");
     add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that elements are judged by: collision, visual or both");
+                 "The geometry of a robot that elements are judged by: collision, visual, both or collision-or-visual");
+    add_packages(*command, arguments->packages);
     add_mesh_unit(*command, arguments->unit);
     add_reader(*command, arguments->reader);
     add_renames(*command, arguments->renames);

@@ -146,12 +146,16 @@ Link read_link(const xml::Element& element, const std::map<std::string, Material
     CancellationCounter asking(256);
     for (const xml::Element* collision : element.children_named("collision")) {
         asking.check();
-        link.collisions.push_back(read_geometry_element(*collision, reader));
+        if (auto read = read_geometry_element(*collision, reader)) {
+            link.collisions.push_back(std::move(*read));
+        }
     }
     for (const xml::Element* visual : element.children_named("visual")) {
         try {
-            link.visuals.push_back(read_geometry_element(*visual, reader));
-            link.visuals.back().material = material_of(*visual, materials);
+            if (auto read = read_geometry_element(*visual, reader)) {
+                link.visuals.push_back(std::move(*read));
+                link.visuals.back().material = material_of(*visual, materials);
+            }
         } catch (const Error& error) {
             context.log(Severity::warning, fmt::format("a visual is left out of pictures: {}", error.what()));
         }

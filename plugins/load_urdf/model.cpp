@@ -76,16 +76,32 @@ std::string read_joint_end(const xml::Element& joint, const char* tag, const Nam
     return link;
 }
 
+/// Returns whether the attribute is an infinite number, as printf writes it.
+bool is_infinite(const xml::Element& element, std::string_view attribute) {
+    const std::string* text = element.attribute(attribute);
+    const std::string word = text ? lower_case(*text) : "";
+    return word == "inf" || word == "-inf" || word == "+inf" || word == "infinity" || word == "-infinity";
+}
+
 void read_motion(Joint& joint, const xml::Element& element, const Reader& reader) {
     if (const xml::Element* axis = reader.only_child(element, "axis"); axis && joint.kind != Joint::Kind::fixed) {
         const Vec3 direction = reader.vector(*axis, "xyz").value_or(joint.axis);
         if (direction == Vec3{} && joint.kind != Joint::Kind::floating) {
-            reader.fail(*axis, fmt::format("the axis of joint '{}' is zero", joint.name));
+            reader.warn(
+                *axis,
+                fmt::format("the axis of joint '{}' is zero, so it does not move; remedy: type=\"fixed\"", joint.name));
+            joint.kind = Joint::Kind::fixed;
+            return;
         }
         joint.axis = normalized(direction);
     }
     const bool limited = joint.kind == Joint::Kind::revolute || joint.kind == Joint::Kind::prismatic;
     if (const xml::Element* limit = reader.only_child(element, "limit"); limit && limited) {
+        if (is_infinite(*limit, "lower") || is_infinite(*limit, "upper")) {
+            reader.warn(*limit, "<limit> is infinite, so the joint is read without limits");
+            joint.limited = false;
+            return;
+        }
         joint.lower = reader.number(*limit, "lower").value_or(0);
         joint.upper = reader.number(*limit, "upper").value_or(0);
     }
@@ -119,7 +135,7 @@ void read_details(Joint& joint, const xml::Element& element, const Reader& reade
     const xml::Element* limit = element.child("limit");
     const xml::Element* dynamics = element.child("dynamics");
     joint.line = element.line;
-    joint.limited = limit != nullptr;
+    joint.limited = joint.limited && limit;
     joint.effort = number_of(limit, "effort");
     joint.velocity = number_of(limit, "velocity");
     joint.damping = number_of(dynamics, "damping");
@@ -141,6 +157,18 @@ Joint read_joint(const xml::Element& element, const Names& links, const Reader& 
     read_motion(joint, element, reader);
     read_details(joint, element, reader);
     return joint;
+}
+
+/// Adds the link "world" if joints name it as their parent and the file has none.
+void add_implicit_world(Robot& robot, Names& links, const xml::Element& root, const Reader& reader) {
+    for (const xml::Element* joint : root.children_named("joint")) {
+        const xml::Element* parent = joint->child("parent");
+        const std::string* link = parent ? parent->attribute("link") : nullptr;
+        if (link && *link == "world" && links.emplace("world", parent).second) {
+            reader.warn(*parent, "there is no link 'world'; it is added; remedy: <link name=\"world\"/>");
+            robot.links.push_back({.name = "world", .collisions = {}, .visuals = {}});
+        }
+    }
 }
 
 /// Returns the parent joint of every link that has one.
@@ -199,6 +227,7 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
     if (robot.links.empty()) {
         reader.fail(root, "the robot has no links");
     }
+    add_implicit_world(robot, links, root, reader);
     for (const xml::Element* element : root.children_named("joint")) {
         robot.joints.push_back(read_joint(*element, links, reader));
         require_new(joints, robot.joints.back().name, *element, reader);

@@ -1,6 +1,7 @@
 // load.urdf: URDF files (http://wiki.ros.org/urdf/XML). Numbers are read from the XML itself, alike in every locale.
 // urdfdom checks the model too, so that the user learns here and not later in ROS that it refuses the model.
 #include "reader.hpp"
+#include "xacro.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/sdk/plugin.hpp>
@@ -12,99 +13,94 @@
 namespace foam::urdf {
 namespace {
 
-/// A collision mesh that was not found.
-struct MissingMesh {
-    const Link* link;
-    const GeometryElement* element;
-    ResolvedResource resource;
-};
-
-std::string package_of(const std::string& uri) {
-    for (const char* scheme : {"package://", "model://"}) {
-        if (uri.starts_with(scheme)) {
-            const std::size_t begin = std::char_traits<char>::length(scheme);
-            return uri.substr(begin, uri.find('/', begin) - begin);
-        }
-    }
-    return {};
-}
-
-std::string explain(const std::vector<MissingMesh>& missing, const std::string& label) {
-    const MissingMesh& first = missing.front();
-    const std::string& uri = std::get<MeshReference>(first.element->geometry).uri;
-    std::string text =
-        fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, first.element->line, uri, first.link->name);
-    if (first.resource.tried.empty()) {
+/// Returns why a mesh is not found: the place in the robot, the places that were looked at, the remedy.
+std::string explain(const GeometryElement& element, const Link& link, const std::string& uri,
+                    const ResolvedResource& resource, const std::string& label) {
+    std::string text = fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, element.line, uri, link.name);
+    if (resource.tried.empty()) {
         text += "; references are package://PACKAGE/FILE, model://, file:// or a path";
     } else {
         text += "; tried:";
-        for (const std::filesystem::path& path : first.resource.tried) {
+        for (const std::filesystem::path& path : resource.tried) {
             text += "\n  " + path.string();
         }
     }
-    if (missing.size() > 1) {
-        text += fmt::format("\n{} more are missing, the next in line {}: '{}'", missing.size() - 1,
-                            missing[1].element->line, std::get<MeshReference>(missing[1].element->geometry).uri);
-    }
     if (const std::string package = package_of(uri); !package.empty()) {
-        text += fmt::format("\nremedy: FOAM_PACKAGE_PATH=FOLDER, where FOLDER/{} is the package", package);
+        text += fmt::format("\nremedy: --package {0}=FOLDER, where FOLDER is the package, or FOAM_PACKAGE_PATH=FOLDER, "
+                            "where FOLDER/{0} is it",
+                            package);
     }
     return text;
 }
 
 class UrdfLoader final : public RobotLoader {
 public:
-    explicit UrdfLoader(const Parameters& parameters) : lenient_(parameters.boolean("lenient")) {}
+    explicit UrdfLoader(bool lenient) : lenient_(lenient) {}
+    explicit UrdfLoader(const Parameters& parameters) : UrdfLoader(parameters.boolean("lenient")) {}
 
     bool recognises(std::string_view text) const override { return xml::root_name(text) == "robot"; }
 
     Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
-        const Reader reader(file.string(), lenient_);
-        const auto root = xml::parse(text, reader.label(), ErrorCode::input);
+        return load_labelled(text, file.string(), file, resources, context);
+    }
+
+    /// Returns the robot of a text whose lines messages name by `label`.
+    Robot load_labelled(const std::string& text, const std::string& label, const std::filesystem::path& file,
+                        const ResourceResolver& resources, Context& context) const {
+        const Reader reader(label, lenient_);
+        std::vector<xml::Fault> faults;
+        const auto root = xml::parse_leniently(text, reader.label(), ErrorCode::input, faults);
+        for (const xml::Fault& fault : faults) {
+            reader.warn(fault.line, fault.what);
+        }
         Robot robot = read_robot(*root, file.stem().string(), reader, context);
+        robot.file = file;
+        robot.source = text;
+        resolve(robot, resources, reader);
+        reader.report(context);
         for (const std::string& complaint : complaints_of_urdfdom(text, *root)) {
             context.log(Severity::warning, fmt::format("ROS would refuse this model: urdfdom: {}", complaint));
         }
-        robot.file = file;
-        robot.source = text;
-        resolve_collisions(robot, resources, reader.label());
-        resolve_visuals(robot, resources, context);
+        tell_missing_visuals(robot, context);
         return robot;
     }
 
 private:
-    void resolve_collisions(Robot& robot, const ResourceResolver& resources, const std::string& label) const {
-        std::vector<MissingMesh> missing;
+    /// Finds the files of meshes. One that is missing is an error for who needs it.
+    static void resolve(Robot& robot, const ResourceResolver& resources, const Reader& reader) {
+        const std::filesystem::path folder = robot.file.parent_path();
         for (Link& link : robot.links) {
             CancellationCounter asking(64);
-            for (GeometryElement& element : link.collisions) {
-                asking.check();
-                if (MeshReference* mesh = std::get_if<MeshReference>(&element.geometry)) {
-                    ResolvedResource resource = resources.resolve(mesh->uri, robot.file.parent_path());
-                    mesh->path = resource.path;
-                    if (!resource.found()) {
-                        missing.push_back({&link, &element, std::move(resource)});
+            for (auto* elements : {&link.collisions, &link.visuals}) {
+                for (GeometryElement& element : *elements) {
+                    asking.check();
+                    MeshReference* mesh = std::get_if<MeshReference>(&element.geometry);
+                    if (!mesh) {
+                        continue;
+                    }
+                    const ResolvedResource found = resources.resolve_leniently(mesh->uri, folder);
+                    mesh->path = found.path;
+                    if (!found.found()) {
+                        mesh->problem = explain(element, link, mesh->uri, found, reader.label());
+                    } else if (!found.fault.empty()) {
+                        reader.warn(element.line,
+                                    fmt::format("mesh '{}' is taken to be {}: {}; remedy: filename=\"{}\"", mesh->uri,
+                                                found.path.string(), found.fault,
+                                                found.path.lexically_proximate(folder).string()));
                     }
                 }
             }
         }
-        if (!missing.empty() && !lenient_) {
-            throw Error(ErrorCode::input, explain(missing, label));
-        }
     }
 
-    static void resolve_visuals(Robot& robot, const ResourceResolver& resources, Context& context) {
+    static void tell_missing_visuals(const Robot& robot, Context& context) {
         std::vector<std::string> missing;
-        for (Link& link : robot.links) {
-            CancellationCounter asking(64);
-            for (GeometryElement& element : link.visuals) {
-                asking.check();
-                if (MeshReference* mesh = std::get_if<MeshReference>(&element.geometry)) {
-                    mesh->path = resources.resolve(mesh->uri, robot.file.parent_path()).path;
-                    if (mesh->path.empty()) {
-                        missing.push_back(mesh->uri);
-                    }
+        for (const Link& link : robot.links) {
+            for (const GeometryElement& element : link.visuals) {
+                const MeshReference* mesh = std::get_if<MeshReference>(&element.geometry);
+                if (mesh && mesh->path.empty()) {
+                    missing.push_back(mesh->uri);
                 }
             }
         }
@@ -119,6 +115,21 @@ private:
     bool lenient_;
 };
 
+class XacroLoader final : public RobotLoader {
+public:
+    explicit XacroLoader(const Parameters& parameters) : arguments_(parameters.text("args")), loader_(false) {}
+
+    Robot load(const std::string&, const std::filesystem::path& file, const ResourceResolver& resources,
+               Context& context) const override {
+        return loader_.load_labelled(expanded_xacro(file, arguments_), file.string() + " (expanded)", file, resources,
+                                     context);
+    }
+
+private:
+    std::string arguments_;
+    UrdfLoader loader_;
+};
+
 } // namespace
 } // namespace foam::urdf
 
@@ -128,11 +139,18 @@ FOAM_PLUGIN("load_urdf", "1.0", "Apache-2.0") {
          .summary = "Reads a robot from a URDF file.",
          .reference = "http://wiki.ros.org/urdf/XML",
          .parameters = {foam::Parameter::boolean("lenient", false)
-                            .doc(
-                                "Takes spheres whose radius is not above 0 and collision meshes that are not found, as "
-                                "`foam evaluate` needs it for sphere models of others.")
+                            .doc("Takes spheres whose radius is not above 0, as `foam evaluate` needs it for sphere "
+                                 "models of others.")
                             .source("A robot that is to become spheres must be whole.")},
          .extensions = {"urdf"}});
+    enrol.add<foam::urdf::XacroLoader>(
+        {.name = "load.xacro",
+         .summary = "Reads a robot from a xacro file by the program xacro.",
+         .reference = "http://wiki.ros.org/xacro",
+         .parameters = {foam::Parameter::text("args", "")
+                            .doc("Arguments of the file, NAME:=VALUE, one a line; 'args' of a recipe's robot.")
+                            .source("None: the file's own defaults.")},
+         .extensions = {"xacro"}});
     enrol.add<foam::urdf::SphereReader>(
         {.name = "read.urdf",
          .summary = "Reads the collision elements of a URDF: primitives, and meshes that are convex.",

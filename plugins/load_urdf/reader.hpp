@@ -17,10 +17,15 @@ namespace foam::urdf {
 /// Reads elements of one file.
 class Reader {
 public:
-    /// Makes a reader. `lenient`: a sphere model of another program may have spheres without size, and missing meshes.
+    /// Makes a reader. `lenient`: a sphere model of another program may have spheres without size.
     explicit Reader(std::string label, bool lenient = false) : label_(std::move(label)), lenient_(lenient) {}
 
     const std::string& label() const { return label_; }
+    /// Keeps a warning for report(): what other readers take, and the remedy.
+    void warn(const xml::Element& element, const std::string& what) const { warn(element.line, what); }
+    void warn(int line, const std::string& what) const;
+    /// Logs the warnings, those with the same words as one.
+    void report(Context& context) const;
     bool lenient() const { return lenient_; }
     /// Returns "file:line".
     std::string place(const xml::Element& element) const;
@@ -29,30 +34,33 @@ public:
 
     /// Returns the attribute's text. Fails if it is absent or empty.
     const std::string& required(const xml::Element& element, std::string_view attribute) const;
-    /// Returns a finite number; nothing if the attribute is absent. Fails if it is not one.
+    /// Returns a finite number; nothing if the attribute is absent, or empty, with a warning. Fails if it is not one.
     std::optional<double> number(const xml::Element& element, std::string_view attribute) const;
     double required_number(const xml::Element& element, std::string_view attribute) const;
-    /// Returns three finite numbers.
+    /// Returns three finite numbers; nothing if the attribute is absent, or empty, with a warning. Of more the first
+    /// three count, and commas may stand between them, with a warning. Fails on all else.
     std::optional<Vec3> vector(const xml::Element& element, std::string_view attribute) const;
-    /// Returns the only child element of that name, nullptr if there is none. Fails if there are several.
+    /// Returns the first child element of that name, with a warning if there are several; nullptr if there is none.
     const xml::Element* only_child(const xml::Element& element, std::string_view name) const;
     /// Returns the pose of the <origin> child; xyz and rpy are zero if absent.
     Pose origin(const xml::Element& element) const;
 
 private:
     double parse(const xml::Element& element, std::string_view attribute, std::string_view text) const;
+    bool is_empty(const xml::Element& element, std::string_view attribute) const;
 
     std::string label_;
     bool lenient_;
+    mutable std::vector<std::pair<std::string, std::vector<int>>> warnings_; ///< with their lines
 };
 
 /// Returns whether the text has an expression that xacro has not replaced: "${...}" or "$(...)".
 bool is_xacro_expression(std::string_view text);
 
 /// Returns the element with its pose and geometry; mesh paths are not resolved yet. Supports all shapes of the URDF
-/// specification, and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Fails on anything else, and on sizes
-/// that give no solid.
-GeometryElement read_geometry_element(const xml::Element& element, const Reader& reader);
+/// specification, and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Returns nothing, with a warning, for
+/// planes and for shapes without size. Fails on anything else, and on negative sizes.
+std::optional<GeometryElement> read_geometry_element(const xml::Element& element, const Reader& reader);
 
 /// Returns the materials of <robot> and of visuals, whose names others may use before them.
 std::map<std::string, Material> materials_by_name(const xml::Element& root);

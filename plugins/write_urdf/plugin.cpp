@@ -4,6 +4,8 @@
 // lie beside it. Everything else keeps its bytes: comments, unknown elements, order, line ends, encoding. The
 // exceptions: paths of the remaining meshes and textures (visuals, links without spheres), and what parameters add.
 //
+// write.xacro: the elements alone, as macros.
+//
 // write.vamp: the same for VAMP, whose planner takes every joint that is not fixed as its own.
 #include "sphere_urdf.hpp"
 
@@ -119,5 +121,6 @@ StageInfo info_of_urdf() {
 
 FOAM_PLUGIN("write_urdf", "1.0", "Apache-2.0") {
     enrol.add<foam::UrdfWriter>(foam::info_of_urdf());
+    enrol.add<foam::XacroWriter>(foam::info_of_xacro());
     enrol.add<foam::VampWriter>(foam::info_of_vamp());
 }

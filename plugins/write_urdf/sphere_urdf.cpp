@@ -22,11 +22,27 @@ std::string urdf_of(const SphereModel& model, const std::string& writer) {
     return model.robot->source.empty() ? composed_urdf(*model.robot) : model.robot->source;
 }
 
+/// The loader has warned of what the text lacks.
+std::unique_ptr<const xml::Element> parsed(const std::string& text, const std::string& label) {
+    std::vector<xml::Fault> known;
+    return xml::parse_leniently(text, label, ErrorCode::output, known);
+}
+
+/// Returns the <collision> elements of a link, but for the planes, which no element covers.
+std::vector<const xml::Element*> replaceable(const xml::Element& link) {
+    std::vector<const xml::Element*> found = link.children_named("collision");
+    std::erase_if(found, [](const xml::Element* collision) {
+        const xml::Element* geometry = collision->child("geometry");
+        return geometry && geometry->child("plane");
+    });
+    return found;
+}
+
 } // namespace
 
 SphereUrdf::SphereUrdf(const SphereModel& model, std::string writer)
     : model_(model), writer_(std::move(writer)), text_(urdf_of(model, writer_)),
-      root_(xml::parse(text_, model.robot->file.string(), ErrorCode::output)), editor_(text_) {
+      root_(parsed(text_, model.robot->file.string())), editor_(text_) {
     for (const auto& child : root_->children) {
         if (const std::string* name = child->attribute("name")) {
             elements_.emplace(std::pair(child->name, *name), child.get());
@@ -68,7 +84,7 @@ void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfW
         const auto uri_of_hull = [&] {
             return attribute_text(uri_of_beside(names.next(elements.link), mesh_paths, model_, context));
         };
-        editor_.replace_children(element, element.children_named("collision"),
+        editor_.replace_children(element, replaceable(element),
                                  collision_elements(elements, words, uri_of_hull));
         replaced_.insert(elements.link);
         capsules = capsules || std::any_of(elements.elements.shaped().begin(), elements.elements.shaped().end(),
@@ -78,7 +94,7 @@ void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfW
         editor_.set_attribute(*root_, "version", "1.1");
     }
     for (const std::string& name : model_.without_collision) {
-        editor_.replace_children(link(name), link(name).children_named("collision"), {});
+        editor_.replace_children(link(name), replaceable(link(name)), {});
         replaced_.insert(name);
     }
 }
@@ -100,7 +116,7 @@ std::string file_name_of(const SphereModel& model) {
 
 std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
                                                              const std::map<std::string, std::string>& beside) {
-    const auto root = xml::parse(bytes, "URDF", ErrorCode::output);
+    const auto root = parsed(bytes, "URDF");
     std::map<std::string, Elements> result;
     for (const xml::Element* link : root->children_named("link")) {
         const std::string* name = link->attribute("name");

@@ -145,6 +145,20 @@ std::string proximity_properties(double mu_static, double mesh_resolution_hint);
 /// joint is left to plan.
 void fix_joints(SphereUrdf& urdf, Context& context);
 
+/// Writes the collision elements of each link as a macro of xacro.
+class XacroWriter final : public Writer {
+public:
+    explicit XacroWriter(const Parameters& parameters);
+    std::string write(const SphereModel& model, Context& context) const override;
+    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override;
+    std::map<std::string, std::string> files_beside(const SphereModel& model, Context& context) const override;
+
+private:
+    int level_;
+};
+
+StageInfo info_of_xacro();
+
 // Robots of VAMP: the sphere URDF, the SRDF and the job that cricket compiles to VAMP's code.
 // Parsing: CoMMALab/cricket a2ad9d6db7 and 0a1eff2513, src/fkcc_gen.cc; output for KavrakiLab/vamp f6de6a72e0.
 

@@ -254,7 +254,8 @@ def load(
         packages: folders of ROS packages by name ({"my_robot": "…"}), or folders that contain packages. Others are
             searched as FOAM_PACKAGE_PATH and ROS_PACKAGE_PATH say, and around the URDF.
         unit, scale: of a mesh whose format states no unit ("mm", "in"…).
-        geometry: what spheres are to cover and are judged by: "collision", "visual" or "both".
+        geometry: what spheres are to cover and are judged by: "collision", "visual", "both", or
+            "collision-or-visual": that of a link without collision geometry is its visual geometry.
         links: globs of the links to read, to spherize and to judge; none: all.
 
     Raises:

@@ -173,11 +173,11 @@ TEST_F(LoadUrdfMeshes, MissingOrOddVisualsAreOnlySaid) {
     ListeningContext context;
     const Robot robot = load_text(R"(<robot name="r"><link name="a">
         <visual><geometry><mesh filename="none.dae"/></geometry></visual>
-        <visual><geometry><plane/></geometry></visual></link></robot>)",
+        <visual><geometry><torus/></geometry></visual></link></robot>)",
                                   context, folder / "robot.urdf");
     ASSERT_EQ(robot.links[0].visuals.size(), 1u);
     EXPECT_TRUE(std::get<MeshReference>(robot.links[0].visuals[0].geometry).path.empty());
-    EXPECT_THAT(context.messages, testing::ElementsAre(testing::HasSubstr("unknown geometry <plane>"),
+    EXPECT_THAT(context.messages, testing::ElementsAre(testing::HasSubstr("unknown geometry <torus>"),
                                                        testing::HasSubstr("1 visual meshes are not found")));
 }
 

@@ -204,9 +204,9 @@ TEST_F(RunLinks, TellsTheGapToTheVisualGeometry) {
 </visual><collision><geometry><box size="0.4 0.2 0.2"/></geometry></collision></link></robot>)");
     const RunResult lost = result_of(std::string(grid_12));
     ASSERT_TRUE(lost.links[0].visual_gap);
-    EXPECT_THAT(lost.links[0].visual_gap->unknown, HasSubstr("the mesh 'no.stl' is not found"));
+    EXPECT_THAT(lost.links[0].visual_gap->unknown, HasSubstr("mesh 'no.stl' of link"));
     EXPECT_TRUE(lost.certified);
-    EXPECT_THAT(failure(std::string(grid_12) + "cover: visual\n"), HasSubstr("the mesh 'no.stl' is not found"));
+    EXPECT_THAT(failure(std::string(grid_12) + "cover: visual\n"), HasSubstr("mesh 'no.stl' of link"));
 }
 
 constexpr const char* tube = R"(<robot name="two"><link name="base">

@@ -69,13 +69,26 @@ ssize_t read_up_to(int descriptor, char* target, std::size_t size) {
     return static_cast<ssize_t>(done);
 }
 
+/// Returns that there is no such file, with the name in its folder that is spelled alike.
+FileContents missing(const std::filesystem::path& file) {
+    std::error_code error;
+    std::vector<std::string> names;
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        names.push_back(it->path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    const std::string near = nearest_word(file.filename().string(), names);
+    return problem("there is no such file",
+                   near.empty() ? "check the path" : fmt::format("check the path; did you mean '{}'?", near));
+}
+
 /// Opens a regular file and calls read(descriptor, size, bytes), which returns how much it read, -1 on an error.
 template <class Read>
 FileContents read_by(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large, Read read) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0) {
-        return errno == ENOENT || errno == ENOTDIR ? problem("there is no such file", "check the path")
-                                                   : cannot_be_read(errno);
+        return errno == ENOENT || errno == ENOTDIR ? missing(file) : cannot_be_read(errno);
     }
     if (!S_ISREG(status.st_mode)) {
         return not_regular(status);
@@ -268,6 +281,17 @@ DigestedFile digest_of_file(const fs::path& file, std::uintmax_t most, std::stri
 bool is_within_folder(const fs::path& relative) {
     return relative.is_relative() && relative.has_filename() &&
            std::find(relative.begin(), relative.end(), "..") == relative.end();
+}
+
+void require_file(const fs::path& file) {
+    const FileContents contents = read_by(file, std::numeric_limits<std::uintmax_t>::max(), "",
+                                          [](int descriptor, std::uintmax_t size, std::string&) {
+                                              lseek(descriptor, static_cast<off_t>(size), SEEK_SET);
+                                              return static_cast<ssize_t>(size);
+                                          });
+    if (!contents.problem.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), contents.why_not()));
+    }
 }
 
 void write_file(const fs::path& file, std::string_view bytes) {

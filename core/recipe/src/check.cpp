@@ -152,6 +152,44 @@ void check_budget(const Value& budget, Recipe& recipe, Findings& findings) {
     }
 }
 
+/// Reads the arguments of a xacro file, a map from names to values, as a parameter of its loader.
+void check_xacro_arguments(const Value& args, Recipe& recipe, Findings& findings) {
+    if (!expect_map(args, "args", "args: {NAME: VALUE}", findings)) {
+        return;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < args.keys.size(); ++i) {
+        if (args.items[i].is(Value::Kind::map) || args.items[i].is(Value::Kind::list)) {
+            findings.error(args.items[i].where, "wrong-type",
+                           fmt::format("'{}' of args expects a text or a number, got {}", args.keys[i].text,
+                                       args.items[i].description()));
+            continue;
+        }
+        text += args.keys[i].text + ":=" + args.items[i].text + "\n";
+    }
+    recipe.loaders.push_back({"load.xacro", {{"args", text}}, {}});
+}
+
+void check_robot_files(const Value& robot, Recipe& recipe, Findings& findings) {
+    const Value* urdf = robot.find("urdf");
+    const Value* xacro = robot.find("xacro");
+    const Value* args = robot.find("args");
+    if (!urdf && !xacro) {
+        findings.error(robot.where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
+    } else if (urdf && xacro) {
+        findings.error(robot.find_key("xacro")->where, "conflict",
+                       "both 'urdf' and 'xacro' are given; remedy: delete one");
+    } else {
+        recipe.urdf = read_references(urdf ? *urdf : *xacro, urdf ? "urdf" : "xacro", findings);
+    }
+    if (args && !xacro) {
+        findings.error(robot.find_key("args")->where, "conflict",
+                       "'args' are arguments of a xacro file; remedy: delete them, or write robot: {xacro: FILE}");
+    } else if (args) {
+        check_xacro_arguments(*args, recipe, findings);
+    }
+}
+
 void check_input(const Value& root, Recipe& recipe, Findings& findings) {
     const Value* robot = root.find("robot");
     const Value* mesh = root.find("mesh");
@@ -172,17 +210,13 @@ void check_input(const Value& root, Recipe& recipe, Findings& findings) {
         recipe.mesh = read_references(*mesh, "mesh", findings);
     }
     if (robot && expect_map(*robot, "robot", "robot: {urdf: FILE}", findings)) {
-        std::vector<std::string> known{"urdf"};
+        std::vector<std::string> known{"urdf", "xacro", "args"};
         for (const FactKey& fact : fact_keys()) {
             known.push_back(fact.name);
         }
         refuse_unknown_keys(*robot, "robot", known, findings);
         check_facts(*robot, recipe, findings);
-        if (const Value* urdf = robot->find("urdf")) {
-            recipe.urdf = read_references(*urdf, "urdf", findings);
-        } else {
-            findings.error(robot->where, "missing-key", "'robot' needs 'urdf'; remedy: write robot: {urdf: FILE}");
-        }
+        check_robot_files(*robot, recipe, findings);
     }
 }
 

@@ -34,7 +34,8 @@ std::string endings_of(StageKind kind, const Registry& registry) {
 
 /// Letters that every file system and the recipe's `name` take.
 std::string plain_name(const std::filesystem::path& file) {
-    std::string name = file.stem().string().substr(0, 80);
+    const std::filesystem::path stem = file.stem();
+    std::string name = (file.extension() == ".xacro" ? stem.stem() : stem).string().substr(0, 80);
     for (char& c : name) {
         const bool plain =
             (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-';
@@ -197,10 +198,6 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
     const std::string ending = ending_of(input);
     if (registry.find_for_extension(StageKind::mesh_loader, ending)) {
         return true;
-    }
-    if (ending == "xacro") {
-        throw Error(ErrorCode::usage, fmt::format("{}: xacro is not read; remedy: xacro {} > robot.urdf",
-                                                  input.string(), input.string()));
     }
     if (!registry.find_for_extension(StageKind::robot_loader, ending)) {
         throw Error(ErrorCode::usage, fmt::format("{}: files of type '{}' are not read; robots: {}; meshes: {}",

@@ -255,10 +255,16 @@ Json top_level(const Registry& registry) {
     add_isolation(p);
     p["robot"] = object({{"urdf", texts("URDF files, the first that exists is used: a path relative to the recipe, "
                                         "package://PACKAGE/PATH or file:///PATH.")}});
+    p["robot"]["properties"]["xacro"] =
+        texts("Xacro files, in place of URDF files: the program xacro makes a URDF of the first that exists.");
+    p["robot"]["properties"]["args"] = {{"description", "Arguments of the xacro file, by name."},
+                                        {"type", "object"},
+                                        {"additionalProperties", {{"type", {"string", "number", "boolean"}}}}};
     p["robot"]["properties"].update(schema_of_facts());
-    p["robot"]["required"] = {"urdf"};
+    p["robot"]["oneOf"] = {{{"required", {"urdf"}}}, {{"required", {"xacro"}}}};
     p["mesh"] = texts("Mesh files, the first that exists is used; references as for a URDF.");
-    p["package_path"] = texts("Folders to look for packages in, before those of the environment.");
+    p["package_path"] = texts("Folders to look for packages in, before those of the environment; NAME=FOLDER is the "
+                              "package NAME.");
     p["plugins"] = texts("Plugin files to load, relative to the recipe.");
     p["loaders"] = loader_schema(registry);
     p["stages"] = {{"description", "Mesh filters in order, then one spherizer, then refiners in order."},

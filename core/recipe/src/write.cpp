@@ -4,6 +4,7 @@
 #include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/internal/yaml.hpp>
 #include <foam/recipe/recipe.hpp>
+#include <foam/sdk/resource.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
@@ -145,7 +146,12 @@ private:
             line("robot: {{{}}}", fmt::join(parts, ", "));
         }
         if (!recipe_.package_path.empty()) {
-            line("package_path: {}", yaml_list(references(recipe_.package_path)));
+            std::vector<std::string> entries = recipe_.package_path;
+            for (std::string& entry : entries) {
+                entry =
+                    absolute_paths_ ? package_entry(entry, fs::absolute(recipe_.file.parent_path())).string() : entry;
+            }
+            line("package_path: {}", yaml_list(entries));
         }
         if (!recipe_.plugins.empty()) {
             line("plugins: {}", yaml_list(references(recipe_.plugins)));
@@ -260,4 +266,4 @@ std::string to_yaml(const Recipe& recipe, const Registry& registry, bool absolut
     return Emitter(recipe, registry, absolute_paths).text();
 }
 
-} // namespace foam::recipe
+} // namespace foam::inline recipe

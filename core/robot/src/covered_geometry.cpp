@@ -24,7 +24,7 @@ bool has(const std::vector<GeometryElement>& elements, const GeometryElement& el
 } // namespace
 
 const std::vector<std::string>& words_of_covered_geometry() {
-    static const std::vector<std::string> words{"collision", "visual", "both"};
+    static const std::vector<std::string> words{"collision", "visual", "both", "collision-or-visual"};
     return words;
 }
 
@@ -36,6 +36,8 @@ const char* to_string(CoveredGeometry geometry) {
         return "visual geometry";
     case CoveredGeometry::both:
         return "collision and visual geometry";
+    case CoveredGeometry::collision_or_visual:
+        return "collision or visual geometry";
     }
     return "";
 }
@@ -47,6 +49,9 @@ Robot with_covered_geometry(Robot robot, CoveredGeometry geometry) {
     for (Link& link : robot.links) {
         if (geometry == CoveredGeometry::visual) {
             link.collisions = link.visuals;
+            continue;
+        }
+        if (geometry == CoveredGeometry::collision_or_visual && !link.collisions.empty()) {
             continue;
         }
         for (const GeometryElement& visual : link.visuals) {

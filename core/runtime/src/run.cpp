@@ -227,10 +227,10 @@ std::vector<LinkWork> links_of(const Workspace& workspace, const Input& input, R
     size = input_size(*input.robot, links);
     tell_input_size(workspace, input, links, size);
     if (links.empty()) {
-        throw Error(ErrorCode::input,
-                    fmt::format("{}: no link has {}: there is nothing to turn into spheres", input.file.string(),
-                                to_string(workspace.recipe.cover.value_or(CoveredGeometry::collision))));
+        refuse_without_geometry(input.file, *input.robot, workspace.recipe.cover.value_or(CoveredGeometry::collision),
+                                "to turn into spheres");
     }
+    tell_visual_geometry(workspace, *input.robot, links);
     return links;
 }
 

@@ -120,6 +120,22 @@ public:
         }
     }
 
+    /// Tries folders beside those of `base` and above it whose package.xml names the package.
+    void try_beside(const fs::path& base, const std::string& package, const std::string& rest) {
+        constexpr int levels = 4;
+        fs::path folder = tidy(absolute_path(base));
+        for (int i = 0; i < levels && folder.has_relative_path() && !found(); ++i, folder = folder.parent_path()) {
+            for (const fs::path& beside : visible_folders(folder)) {
+                if (!found() && package_name(beside) == package) {
+                    try_path(beside / rest);
+                }
+            }
+            if (!found() && is_folder(folder)) {
+                result_.tried.push_back(folder / "*" / rest);
+            }
+        }
+    }
+
 private:
     void try_below(const fs::path& directory, const std::string& package, const std::string& rest, int levels) {
         for (const fs::path& folder : found() || levels == 0 ? std::vector<fs::path>{} : visible_folders(directory)) {
@@ -145,6 +161,15 @@ void add_from_environment(std::vector<fs::path>& path, const char* variable, con
     }
 }
 
+/// Returns the parts of NAME=FOLDER; no name for a folder.
+std::pair<std::string, fs::path> name_and_folder(const fs::path& entry) {
+    const std::string text = entry.string();
+    const std::size_t equals = text.find('=');
+    const bool named = equals != text.npos && equals > 0 && text.find('/') > equals && !is_folder(entry);
+    return named ? std::pair(text.substr(0, equals), fs::path(text.substr(equals + 1)))
+                 : std::pair(std::string(), entry);
+}
+
 void search_package(Search& search, std::string_view location, const std::vector<fs::path>& package_path,
                     const fs::path& base) {
     const std::size_t slash = location.find('/');
@@ -159,15 +184,25 @@ void search_package(Search& search, std::string_view location, const std::vector
         const std::string package = text.substr(0, text.find('/'));
         // Not fs::path's "/", for which "package://PKG//rest" would give the absolute path "/rest".
         const std::string rest = text.substr(std::min(text.find_first_not_of('/', package.size()), text.size()));
-        for (const fs::path& directory : package_path) {
+        std::vector<fs::path> folders;
+        for (const fs::path& entry : package_path) {
+            const auto [name, folder] = name_and_folder(entry);
+            if (name.empty()) {
+                folders.push_back(folder);
+            } else if (name == package) {
+                search.try_path(folder / rest);
+            }
+        }
+        for (const fs::path& directory : folders) {
             search.try_package(directory, package, rest);
         }
         for (const fs::path& directory : ancestors(base)) {
             search.try_package(directory, package, rest);
         }
-        for (const fs::path& directory : package_path) {
+        for (const fs::path& directory : folders) {
             search.try_workspace(directory, package, rest);
         }
+        search.try_beside(base, package, rest);
     }
 }
 
@@ -183,6 +218,7 @@ ResourceResolver ResourceResolver::from_environment() {
     add_from_environment(path, "FOAM_PACKAGE_PATH", "");
     add_from_environment(path, "ROS_PACKAGE_PATH", "");
     add_from_environment(path, "AMENT_PREFIX_PATH", "share");
+    add_from_environment(path, "GZ_SIM_RESOURCE_PATH", "");
     return ResourceResolver(std::move(path));
 }
 
@@ -212,4 +248,25 @@ ResolvedResource ResourceResolver::resolve(const std::string& reference, const f
     return search.take();
 }
 
-} // namespace foam::sdk
+std::vector<std::pair<std::string, fs::path>> ResourceResolver::named_packages() const {
+    std::vector<std::pair<std::string, fs::path>> packages;
+    for (const fs::path& entry : package_path_) {
+        if (auto package = name_and_folder(entry); !package.first.empty()) {
+            packages.push_back(std::move(package));
+        }
+    }
+    return packages;
+}
+
+std::string package_of(const std::string& reference) {
+    const bool is_package = reference.starts_with("package://") || reference.starts_with("model://");
+    const std::size_t begin = is_package ? reference.find("://") + 3 : reference.size();
+    return reference.substr(begin, reference.find('/', begin) - begin);
+}
+
+fs::path package_entry(const std::string& text, const fs::path& base) {
+    const auto [name, folder] = name_and_folder(text);
+    return name.empty() ? base / folder : fs::path(name + "=" + (base / folder).string());
+}
+
+} // namespace foam::inline sdk

@@ -91,7 +91,8 @@ private:
 };
 
 Reading reading_for(const std::filesystem::path& file, const SubjectOptions& options, bool mesh) {
-    return {.unit = mesh ? options.unit : MeshUnit{},
+    return {.resources = ResourceResolver::from_environment().preceded_by(options.package_path),
+            .unit = mesh ? options.unit : MeshUnit{},
             .name = file == options.nameless ? options.nameless_name : std::filesystem::path()};
 }
 

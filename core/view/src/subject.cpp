@@ -20,7 +20,7 @@ namespace {
 /// Returns whether the file is a URDF by its content, or, as the first of all, an MJCF; a later one is a model.
 bool is_robot_file(const std::filesystem::path& file, bool first) {
     const std::string ending = extension_of(file);
-    if (ending == "urdf") {
+    if (ending == "urdf" || ending == "xacro") {
         return true;
     }
     if (ending != "xml" && ending != "mjcf") {

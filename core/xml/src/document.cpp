@@ -1,4 +1,4 @@
-#include <foam/xml/document.hpp>
+#include "mend.hpp"
 
 #include <expat.h>
 
@@ -14,7 +14,8 @@ constexpr std::size_t deepest_nesting = 200;
 /// stops the parser and is thrown afterwards.
 class Builder {
 public:
-    explicit Builder(std::string_view text) : text_(text), parser_(XML_ParserCreate(nullptr)) {
+    explicit Builder(std::string_view text, const Mended* lenient = nullptr)
+        : text_(text), lenient_(lenient), parser_(XML_ParserCreate(lenient ? lenient->encoding : nullptr)) {
         XML_SetUserData(parser_, this);
         XML_SetElementHandler(parser_, on_start, on_end);
         XML_SetEntityDeclHandler(parser_, on_entity);
@@ -31,7 +32,7 @@ public:
         if (text_.starts_with("\xFE\xFF") || text_.starts_with("\xFF\xFE")) {
             throw Error(code, label + ": is UTF-16; convert it first: iconv -f UTF-16 -t UTF-8");
         }
-        if (XML_Parse(parser_, text_.data(), static_cast<int>(text_.size()), 1) != XML_STATUS_OK) {
+        if (XML_Parse(parser_, text_.data(), static_cast<int>(text_.size()), 1) != XML_STATUS_OK && !ended_) {
             const std::string reason =
                 complaint_.empty() ? std::string("XML: ") + XML_ErrorString(XML_GetErrorCode(parser_)) : complaint_;
             throw Error(code, label + ":" + std::to_string(XML_GetCurrentLineNumber(parser_)) + ":" +
@@ -73,6 +74,10 @@ private:
         element->name = name;
         for (; *attributes; attributes += 2) {
             element->attributes.emplace_back(attributes[0], attributes[1]);
+            if (lenient_) {
+                std::string& value = element->attributes.back().second;
+                std::replace(value.begin(), value.end(), bare_ampersand, '&');
+            }
         }
         element->start_tag = {offset(), offset() + length()};
         element->line = static_cast<int>(XML_GetCurrentLineNumber(parser_));
@@ -94,14 +99,32 @@ private:
         const bool self_closing = text_.substr(element.start_tag.end - 2, 2) == "/>";
         element.end_tag = self_closing ? element.start_tag.end : offset();
         element.span = {element.start_tag.begin, self_closing ? element.start_tag.end : offset() + length()};
+        if (open_.empty() && lenient_) { // what follows need not be XML
+            ended_ = true;
+            XML_StopParser(parser_, XML_FALSE);
+        }
     }
 
     std::string_view text_;
+    const Mended* lenient_;
     XML_Parser parser_;
+    bool ended_ = false; ///< the root element, in a text that is read leniently
     std::unique_ptr<Element> root_;
     std::vector<Element*> open_;
     std::string complaint_;
 };
+
+/// Returns whether a text has blanks and whole comments only.
+bool is_epilogue(std::string_view text) {
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        const std::size_t end = text.starts_with("<!--") ? text.find("-->") : text.npos;
+        if (end == text.npos) {
+            return text.empty();
+        }
+        text.remove_prefix(end + 3);
+    }
+}
 
 } // namespace
 
@@ -169,6 +192,20 @@ std::string_view root_name(std::string_view text) {
 
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code) {
     return Builder(text).build(label, code);
+}
+
+std::unique_ptr<const Element> parse_leniently(std::string_view text, const std::string& label, ErrorCode code,
+                                               std::vector<Fault>& faults) {
+    const Mended lenient = mended(text);
+    faults.insert(faults.end(), lenient.faults.begin(), lenient.faults.end());
+    auto root = Builder(lenient.text, &lenient).build(label, code);
+    if (const std::string_view rest = text.substr(root->span.end); !is_epilogue(rest)) {
+        const auto lines = std::count(text.begin(), text.end() - static_cast<std::ptrdiff_t>(rest.size()), '\n');
+        faults.push_back({static_cast<int>(lines) + 1, "what follows </" + root->name +
+                                                           "> is not read; remedy: let "
+                                                           "the file end there"});
+    }
+    return root;
 }
 
 } // namespace foam::xml

@@ -63,7 +63,7 @@ std::shared_ptr<const LoadedInput> read_original(const std::filesystem::path& fi
     const bool mesh = registry.find_for_extension(StageKind::mesh_loader, extension_of(file)) != nullptr;
     std::vector<std::filesystem::path> folders;
     for (const std::filesystem::path& folder : options.package_path) {
-        folders.push_back(std::filesystem::absolute(folder));
+        folders.push_back(package_entry(folder.string(), std::filesystem::current_path()));
     }
     Reading reading{.unit = options.unit, .name = options.name};
     reading.resources = reading.resources.preceded_by(std::move(folders));
@@ -93,8 +93,7 @@ Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& 
     }
     result.links = solids_of(links.links);
     if (result.links.empty()) {
-        throw Error(ErrorCode::input, fmt::format("{}: no link has {}: there is nothing to judge spheres by",
-                                                  loaded->chosen, to_string(options.geometry)));
+        refuse_without_geometry(loaded->chosen, *result.robot, options.geometry, "to judge spheres by");
     }
     result.notes = warnings_of(journal);
     result.loaded = std::move(loaded);

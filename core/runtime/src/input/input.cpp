@@ -19,7 +19,7 @@ ResourceResolver resolver_of(const Recipe& recipe) {
     }
     std::vector<fs::path> folders;
     for (const std::string& folder : recipe.package_path) {
-        folders.push_back(recipe_folder(recipe) / folder);
+        folders.push_back(package_entry(folder, recipe_folder(recipe)));
     }
     return ResourceResolver::from_environment().preceded_by(std::move(folders));
 }

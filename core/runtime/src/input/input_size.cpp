@@ -75,18 +75,66 @@ void warn_of_mesh_size(const Workspace& workspace, const Input& input, const Inp
                                            size_text(size.box), edge > largest ? "large" : "small", remedy)});
 }
 
-void warn_of_protrusion(const Workspace& workspace, const std::vector<LinkWork>& links, const InputSize& size) {
-    double limit = 0;
+/// Returns the link with the longest edge, of those whose meshes are not scaled, and that edge.
+std::pair<const LinkWork*, double> largest_unscaled(const std::vector<LinkWork>& links) {
+    std::pair<const LinkWork*, double> found{nullptr, 0};
     for (const LinkWork& link : links) {
-        limit = std::max(limit, link.recipe.max_protrusion.value_or(0));
+        for (const CollisionElement& element : link.elements) {
+            const auto* mesh = std::get_if<MeshReference>(&element.source->geometry);
+            if (!element.raw || !mesh || mesh->scale != Vec3{1, 1, 1}) {
+                continue;
+            }
+            Box box;
+            for (const Vec3& vertex : element.raw->vertices) {
+                box.add(vertex);
+            }
+            if (!box.empty() && longest_edge(box) > found.second) {
+                found = {&link, longest_edge(box)};
+            }
+        }
     }
+    return found;
+}
+
+void warn_of_robot_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
+                        const InputSize& size) {
     const double edge = longest_edge(size.box);
-    if (!size.box.empty() && limit > edge) {
-        workspace.journal.finding({Severity::warning, "", "",
-                                   fmt::format("max_protrusion is {}, larger than the whole input ({}): it has no "
-                                               "effect; if it is in millimetres: {}mm",
-                                               length_text(limit), length_text(edge), number_text(limit))});
+    if (size.box.empty() || (edge >= smallest && edge <= largest)) {
+        return;
     }
+    const auto [link, length] = largest_unscaled(links);
+    const std::string unit = link ? likely_unit({}, length) : "";
+    const std::string factor = unit.empty() ? "" : number_text(MeshUnit{unit, 1}.factor());
+    workspace.journal.finding(
+        {Severity::warning, "", "",
+         fmt::format("{}: {} is {} for a robot; {}", input.file.filename().string(), size_text(size.box),
+                     edge > largest ? "large" : "small",
+                     unit.empty() ? "a URDF is in metres"
+                                  : fmt::format("if the mesh of link '{}' is in {}: <mesh scale=\"{} {} {}\"/>",
+                                                link->link->name, unit_name(unit), factor, factor, factor))});
+}
+
+/// Warns of a length of the recipe that is larger than the whole input.
+void warn_of_length(const Workspace& workspace, const char* key, double length, const char* effect,
+                    const InputSize& size) {
+    const double edge = longest_edge(size.box);
+    if (!size.box.empty() && length > edge) {
+        workspace.journal.finding({Severity::warning, "", "",
+                                   fmt::format("{} is {}, larger than the whole input ({}){}; if it is in "
+                                               "millimetres: {}mm",
+                                               key, length_text(length), length_text(edge), effect,
+                                               number_text(length))});
+    }
+}
+
+void warn_of_lengths(const Workspace& workspace, const std::vector<LinkWork>& links, const InputSize& size) {
+    double protrusion = 0, pad = 0;
+    for (const LinkWork& link : links) {
+        protrusion = std::max(protrusion, link.recipe.max_protrusion.value_or(0));
+        pad = std::max(pad, link.recipe.pad);
+    }
+    warn_of_length(workspace, "max_protrusion", protrusion, ": it has no effect", size);
+    warn_of_length(workspace, "pad", pad, "", size);
 }
 
 } // namespace
@@ -108,10 +156,8 @@ void tell_input_size(const Workspace& workspace, const Input& input, const std::
                      const InputSize& size) {
     const bool robot = !workspace.recipe.urdf.empty();
     workspace.journal.emit(Event::Kind::input_loaded, text_of(input, size, robot));
-    if (!robot) {
-        warn_of_mesh_size(workspace, input, size);
-    }
-    warn_of_protrusion(workspace, links, size);
+    robot ? warn_of_robot_size(workspace, input, links, size) : warn_of_mesh_size(workspace, input, size);
+    warn_of_lengths(workspace, links, size);
 }
 
 } // namespace foam::runtime

@@ -26,10 +26,14 @@ void require_names(const std::vector<Diagnostic>& findings);
 /// Returns the size of the loaded geometry, without links that are skipped or could not be read.
 InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links);
 
-/// Reports the size, and warns of one that suggests another unit: a mesh below 1 mm or above 20 m, a max_protrusion
-/// above the size of the input.
+/// Reports the size, and warns of one that suggests another unit: an input below 1 mm or above 20 m, a max_protrusion or
+/// a pad above the size of the input.
 void tell_input_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
                      const InputSize& size);
+
+/// Warns of links whose visual geometry is larger than their collision geometry, by their boxes, and notes those that
+/// have visual geometry alone. Of visual meshes those in small files count.
+void tell_visual_geometry(const Workspace& workspace, const Robot& robot, const std::vector<LinkWork>& links);
 
 struct InputsHere {
     std::vector<Checkpoint> digests; ///< as in Record::inputs

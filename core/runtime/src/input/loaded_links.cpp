@@ -78,12 +78,7 @@ std::vector<LoadTask> load_tasks(const std::vector<LoadedLink>& links) {
 
 /// Reads the file of a mesh, and scales it.
 void read_mesh(const Calls& calls, const Reading& reading, const std::string& link, LoadTask& task) {
-    const std::filesystem::path& path = task.reference.path;
-    if (path.empty()) { // the robot's loader requires the files of collision geometry only
-        throw Error(ErrorCode::input, fmt::format("link '{}': the mesh '{}' is not found; remedy: correct the path, or "
-                                                  "set FOAM_PACKAGE_PATH to the folder that holds the package",
-                                                  link, task.reference.uri));
-    }
+    const std::filesystem::path& path = path_of(task.reference);
     const RegisteredStage* loader = mesh_loader_of(calls.registry, reading, path);
     if (!loader) {
         const std::string extension = path.extension().string();

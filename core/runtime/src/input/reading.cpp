@@ -1,8 +1,11 @@
 #include <foam/runtime/internal/reading.hpp>
 
 #include <foam/base/file.hpp>
+#include <foam/base/text.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace foam::inline runtime {
 namespace fs = std::filesystem;
@@ -79,6 +82,29 @@ void read_mesh(const Calls& calls, const Reading& reading, LoadedInput& input) {
         std::make_shared<const Robot>(robot_of_mesh(input.file, portable_reference(input), reading.unit.factor()));
 }
 
+/// Throws Error(usage) for a package that the user named and no reference has.
+void require_named_packages(const Reading& reading, const LoadedInput& input) {
+    std::vector<std::string> used{package_of(input.chosen)};
+    for (const Link& link : input.robot->links) {
+        for (const auto* elements : {&link.collisions, &link.visuals}) {
+            for (const GeometryElement& element : *elements) {
+                const auto* mesh = std::get_if<MeshReference>(&element.geometry);
+                used.push_back(mesh ? package_of(mesh->uri) : "");
+            }
+        }
+    }
+    for (const auto& [name, folder] : reading.resources.named_packages()) {
+        if (!fs::is_directory(folder)) {
+            throw Error(ErrorCode::input, fmt::format("package {}: there is no folder {}", name, folder.string()));
+        }
+        if (std::find(used.begin(), used.end(), name) == used.end()) {
+            const std::string near = nearest_word(name, used);
+            throw Error(ErrorCode::usage, fmt::format("no mesh of {} is in a package '{}'{}", input.file.string(), name,
+                                                      near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+        }
+    }
+}
+
 void read_robot(const Calls& calls, const Reading& reading, LoadedInput& input) {
     const std::string text = read_file(input.file, most_robot_bytes);
     input.digest = digest_of(text);
@@ -92,6 +118,7 @@ void read_robot(const Calls& calls, const Reading& reading, LoadedInput& input) 
             input.log = context.kept_log();
             return robot;
         }));
+    require_named_packages(reading, input);
 }
 
 } // namespace
@@ -100,8 +127,19 @@ const RegisteredStage* mesh_loader_of(const Registry& registry, const Reading& r
     return registry.find_for_extension(StageKind::mesh_loader, extension_of(file), reading.preferred_loader);
 }
 
+const fs::path& path_of(const MeshReference& reference) {
+    if (reference.path.empty()) {
+        throw Error(ErrorCode::input, !reference.problem.empty()
+                                          ? reference.problem
+                                          : fmt::format("the mesh '{}' is not found; remedy: correct the path, or set "
+                                                        "FOAM_PACKAGE_PATH to the folder that holds the package",
+                                                        reference.uri));
+    }
+    return reference.path;
+}
+
 InputFile mesh_file_of(const Registry& registry, const Reading& reading, const MeshReference& reference) {
-    const DigestedFile digested = digest_of_mesh(registry, reading, reference.path);
+    const DigestedFile digested = digest_of_mesh(registry, reading, path_of(reference));
     return {reference.uri, reference.path, digested.digest, digested.bytes};
 }
 

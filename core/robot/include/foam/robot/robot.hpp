@@ -25,6 +25,7 @@ struct MeshReference {
     /// What the format makes of the file, such as its convex hull, or a mesh of the robot's own text; null: the mesh of
     /// the file.
     std::shared_ptr<const Mesh> mesh{};
+    std::string problem{}; ///< why there is no path, with file, line, places and remedy; who needs the mesh refuses it
 };
 
 using Geometry = std::variant<Element, MeshReference>;
@@ -108,11 +109,13 @@ using JointValues = std::map<std::string, double>;
 /// for a value of a joint that the robot does not have.
 std::map<std::string, Pose> link_poses(const Robot& robot, const JointValues& values = {});
 
-enum class CoveredGeometry { collision, visual, both };
+/// What of a link is to be covered. `collision_or_visual`: its collision geometry, or its visual geometry if it has none.
+enum class CoveredGeometry { collision, visual, both, collision_or_visual };
 
-/// Returns the words in recipes and options, in the order of the enumeration: collision, visual, both.
+/// Returns the words in recipes and options, in the order of the enumeration: collision, visual, both,
+/// collision-or-visual.
 const std::vector<std::string>& words_of_covered_geometry();
-/// Returns "collision geometry", "visual geometry" or "collision and visual geometry".
+/// Returns "collision geometry", "visual geometry", "collision and visual geometry" or "collision or visual geometry".
 const char* to_string(CoveredGeometry geometry);
 
 /// Returns the robot with the geometry to be covered in place of its collision geometry. An element that is both

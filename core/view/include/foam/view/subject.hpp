@@ -73,6 +73,7 @@ struct SubjectOptions {
     Renames renames{};
     std::string reader{}; ///< of sphere models; empty: the one that recognises them
     MeshUnit unit{};
+    std::vector<std::filesystem::path> package_path{}; ///< before those of the environment
     CoveredGeometry geometry = CoveredGeometry::collision; ///< by which spheres are judged
     std::filesystem::path srdf{};                          ///< with named poses; empty: none
     std::filesystem::path nameless{}; ///< of `files`, the one that holds the standard input; empty: none

@@ -45,6 +45,18 @@ struct Element {
 /// uses its own entities (an edit could not resolve them), or is nested more than 200 deep.
 std::unique_ptr<const Element> parse(std::string_view text, const std::string& label, ErrorCode code);
 
+/// What keeps a text from being well-formed, and the remedy.
+struct Fault {
+    int line = 0; ///< 1-based
+    std::string what;
+};
+
+/// Parses a text as the readers of the field do, and adds what it lacks to `faults`: blanks, NULs and byte order marks
+/// may stand before the XML declaration, anything after the root element, "--" in comments, '&' that begin no entity;
+/// bytes may be of another encoding than the text says. Places are those in `text`. Throws as parse() for all else.
+std::unique_ptr<const Element> parse_leniently(std::string_view text, const std::string& label, ErrorCode code,
+                                               std::vector<Fault>& faults);
+
 /// Returns the name of the root element, without parsing more than what is before it; empty if the text does not begin
 /// like XML.
 std::string_view root_name(std::string_view text);

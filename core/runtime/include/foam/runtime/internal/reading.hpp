@@ -91,6 +91,9 @@ struct LoadedLinks {
 const RegisteredStage* mesh_loader_of(const Registry& registry, const Reading& reading,
                                       const std::filesystem::path& file);
 
+/// Returns the path of a mesh. Throws Error(input) with the reference's problem if there is none.
+const std::filesystem::path& path_of(const MeshReference& reference);
+
 /// Returns the file of a mesh with its digest; it has at most as many bytes as its loader's parameter max_bytes allows.
 /// Throws Error(input).
 InputFile mesh_file_of(const Registry& registry, const Reading& reading, const MeshReference& reference);
@@ -105,6 +108,10 @@ LoadedInput read_input(const Calls& calls, const Reading& reading, const std::fi
 /// is thrown.
 LoadedLinks load_links(const Calls& calls, const Reading& reading, const Robot& robot,
                        const std::function<bool(const Link&)>& wanted, const std::vector<LoadedMesh>& known);
+
+/// Throws Error(input) for a robot without geometry to be covered; `to`: what for. Names the remedy.
+[[noreturn]] void refuse_without_geometry(const std::filesystem::path& file, const Robot& robot,
+                                          CoveredGeometry geometry, const char* to);
 
 /// Returns the references of these links to meshes, each distinct file and scale once.
 std::vector<MeshReference> mesh_references(const Robot& robot, const std::function<bool(const Link&)>& wanted);

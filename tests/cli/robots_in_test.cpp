@@ -1,0 +1,134 @@
+// Robots as the field writes them, from the command line to the written file.
+#include "program.hpp"
+
+namespace foam::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RobotsIn : public Cli {
+protected:
+    void SetUp() override {
+        fs::copy(fs::path(FOAM_TEST_SOURCE) / "tests/cli/robots_in", path(), fs::copy_options::recursive);
+        fs::copy(fs::path(FOAM_TEST_SOURCE) / "tests/load_urdf/tolerance", path() / "tolerance",
+                 fs::copy_options::recursive);
+        fs::create_directories(path() / "bin");
+        write("bin/xacro", "#!/bin/sh\n[ \"$2\" = broken:=1 ] && { echo 'name is not defined' >&2; exit 2; }\n"
+                           "echo \"<robot name='r'><link name='a'><collision><geometry><box size='0.1 0.1 "
+                           "${2#len:=}'/></geometry></collision></link></robot>\"\n");
+        fs::permissions(path() / "bin/xacro", fs::perms::owner_all);
+    }
+    /// Runs foam with the program xacro of this test.
+    Outcome with_xacro(const std::string& arguments) const {
+        return shell("PATH='@/bin':$PATH '" FOAM_TEST_BINARY "' " + arguments);
+    }
+};
+
+TEST_F(RobotsIn, WrongFilesKeepTheirBytesOutsideCollisions) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(path() / "tolerance")) {
+        if (entry.path().extension() != ".urdf") {
+            continue;
+        }
+        const Outcome outcome =
+            foam("spherize '" + entry.path().string() + "' -n 6 -m octree -o '@/tolerance/out.urdf'");
+        ASSERT_EQ(outcome.code, 0) << entry.path() << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("remedy: ")) << entry.path();
+        const std::string before = contents(entry.path()), after = contents(path() / "tolerance/out.urdf");
+        const std::size_t begin = before.find("<collision>"), end = before.rfind("</collision>");
+        EXPECT_EQ(after.substr(0, begin), before.substr(0, begin)) << entry.path();
+        EXPECT_TRUE(after.ends_with(before.substr(end + 12))) << entry.path();
+        EXPECT_EQ(before.find("<plane") != before.npos, after.find("<plane") != after.npos);
+        fs::remove(path() / "tolerance/out.urdf");
+    }
+}
+
+TEST_F(RobotsIn, VisualGeometryInPlaceOfNone) {
+    const Outcome none = foam("spherize visual_only/none.urdf -n 4 -o out.urdf");
+    EXPECT_EQ(none.code, 1);
+    EXPECT_THAT(none.err, HasSubstr("no link has collision geometry: there is nothing to turn into spheres; remedy: "
+                                    "--geometry visual, or cover: visual in the recipe"));
+    const Outcome mix = foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.urdf");
+    EXPECT_EQ(mix.code, 0) << mix.err;
+    EXPECT_THAT(mix.err, HasSubstr("warning: the visual geometry extends beyond the collision geometry, which is what "
+                                   "elements cover: base (5 mm); to cover both: --geometry both, or cover: both in the "
+                                   "recipe"));
+    const Outcome both =
+        foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.urdf --geometry collision-or-visual");
+    EXPECT_EQ(both.code, 0) << both.err;
+    const std::string written = contents(path() / "out.urdf");
+    EXPECT_NE(written.find("<collision>", written.find("name=\"arm\"")), written.npos) << written;
+}
+
+TEST_F(RobotsIn, UnitsAreQuestioned) {
+    EXPECT_THAT(foam("spherize robot_units/bracket_unscaled.urdf -n 4 -m octree -o out.urdf").err,
+                HasSubstr("is large for a robot; if the mesh of link 'bracket' is in millimetres: <mesh scale=\"0.001 "
+                          "0.001 0.001\"/>"));
+    ASSERT_EQ(foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.json").code, 0);
+    EXPECT_THAT(foam("convert out.json --pad 5 -o out.csv").err,
+                HasSubstr("warning: --pad 5 is 5 m, more than the largest link"));
+    EXPECT_THAT(foam("convert out.json --pad 5mm -o out.csv").err, Not(HasSubstr("warning: --pad")));
+}
+
+TEST_F(RobotsIn, TheUpAxisIsIgnored) {
+    EXPECT_THAT(foam("spherize dae_up_axis/yup.urdf -n 4 -m octree -o out.urdf -v").err,
+                HasSubstr("yup.dae: its up_axis Y_UP is ignored, as by RViz and MoveIt"));
+}
+
+TEST_F(RobotsIn, PackagesByName) {
+    fs::create_directories(path() / "here");
+    write("here/box.obj", box_obj);
+    write("arm.urdf", "<robot name='r'><link name='a'><collision><geometry><mesh filename='package://arm/box.obj'/>"
+                      "</geometry></collision></link></robot>");
+    const Outcome missing = foam("spherize arm.urdf -n 4 -o out.urdf");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_THAT(missing.err, HasSubstr("arm.urdf:1: mesh 'package://arm/box.obj' of link 'a' is not found; tried:\n"));
+    EXPECT_THAT(missing.err, HasSubstr("remedy: --package arm=FOLDER"));
+    EXPECT_EQ(foam("spherize arm.urdf -n 4 -m octree -o out.urdf --package arm=here").code, 0);
+    EXPECT_EQ(foam("evaluate arm.urdf out.urdf --package arm=here").code, 0);
+    const Outcome unused = foam("spherize arm.urdf -n 4 -o out.urdf --package arms=here");
+    EXPECT_EQ(unused.code, 2);
+    EXPECT_THAT(unused.err, HasSubstr("is in a package 'arms'; did you mean 'arm'?"));
+    EXPECT_EQ(foam("spherize arm.urdf -n 4 -o out.urdf --package here").code, 2);
+    EXPECT_EQ(foam("spherize arm.urdf -n 4 -o out.urdf --package arm=nowhere").code, 1);
+}
+
+TEST_F(RobotsIn, AMissingMeshStopsItsLinkAlone) {
+    write("arm.urdf", "<robot name='r'><link name='a'><collision><geometry><box size='1 1 1'/></geometry></collision>"
+                      "</link><link name='b'><collision><geometry><mesh filename='none.stl'/></geometry></collision>"
+                      "</link><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+    EXPECT_EQ(foam("spherize arm.urdf -n 4 -m octree -o out.urdf --set links.b.skip=true").code, 0);
+    const Outcome needed = foam("spherize arm.urdf -n 4 -m octree -o out.urdf");
+    EXPECT_EQ(needed.code, 1);
+    EXPECT_THAT(needed.err, HasSubstr("mesh 'none.stl' of link 'b' is not found"));
+}
+
+TEST_F(RobotsIn, NamesOfFilesThatAreNearlyRight) {
+    write("robot.urdf", "<robot/>");
+    EXPECT_THAT(foam("spherize robto.urdf -n 4").err,
+                HasSubstr("there is no such file; remedy: check the path; did you mean 'robot.urdf'?"));
+}
+
+TEST_F(RobotsIn, Xacro) {
+    const std::string file = "xacro/arm.urdf.xacro";
+    const Outcome outcome = with_xacro("spherize " + file + " len:=0.4 -n 4 -m octree");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(contents(path() / "arm_spheres.urdf"), HasSubstr("<link name='a'><collision>"));
+    write("arm.yaml", "foam: 1\nrobot: {xacro: xacro/arm.urdf.xacro, args: {len: 0.4}}\nstages: [spherize.octree]\n"
+                      "budget: {spheres: 4}\noutputs:\n  - write.xacro: {file: arm.xacro}\n");
+    const Outcome run = with_xacro("run arm.yaml --run-dir out");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(contents(path() / "out/arm.xacro"), HasSubstr("  <xacro:macro name=\"a_collision\">\n    <collision>"));
+    const Outcome fails = with_xacro("spherize " + file + " broken:=1 -n 4");
+    EXPECT_EQ(fails.code, 1);
+    EXPECT_THAT(fails.err, HasSubstr("arm.urdf.xacro: xacro fails:\n  name is not defined"));
+    const Outcome none = shell("PATH=/none '" FOAM_TEST_BINARY "' spherize " + file + " -n 4");
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.err, HasSubstr("the program xacro cannot be started (No such file or directory); remedy: pip "
+                                    "install xacro"));
+    EXPECT_EQ(foam("spherize visual_only/mix.urdf len:=1 -n 4").code, 2);
+}
+
+} // namespace
+} // namespace foam::test
