@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace foam::urdf {
@@ -52,6 +53,10 @@ Joint::Kind read_joint_kind(const xml::Element& element, const Reader& reader) {
                                                                         {"planar", Kind::planar},
                                                                         {"floating", Kind::floating}}};
     const std::string& type = reader.required(element, "type");
+    if (type == "spherical") { // of Bullet
+        reader.warn(element, "a spherical joint is read as floating, at its origin");
+        return Kind::floating;
+    }
     for (const auto& [name, kind] : kinds) {
         if (type == name) {
             return kind;
@@ -83,6 +88,20 @@ bool is_infinite(const xml::Element& element, std::string_view attribute) {
     return word == "inf" || word == "-inf" || word == "+inf" || word == "infinity" || word == "-infinity";
 }
 
+/// Returns a limit, 0 if it is absent. A point too many, as in "-1.57.", is no error.
+double read_limit(const xml::Element& limit, std::string_view attribute, const Reader& reader) {
+    const std::string* text = limit.attribute(attribute);
+    if (text && text->ends_with('.') && std::count(text->begin(), text->end(), '.') == 2) {
+        const std::string number = text->substr(0, text->size() - 1);
+        if (const auto value = parse_number(number)) {
+            reader.warn(limit, fmt::format("<limit {0}=\"{1}\"> is read as {2}; remedy: {0}=\"{2}\"", attribute, *text,
+                                           number));
+            return *value;
+        }
+    }
+    return reader.number(limit, attribute).value_or(0);
+}
+
 void read_motion(Joint& joint, const xml::Element& element, const Reader& reader) {
     if (const xml::Element* axis = reader.only_child(element, "axis"); axis && joint.kind != Joint::Kind::fixed) {
         const Vec3 direction = reader.vector(*axis, "xyz").value_or(joint.axis);
@@ -102,8 +121,8 @@ void read_motion(Joint& joint, const xml::Element& element, const Reader& reader
             joint.limited = false;
             return;
         }
-        joint.lower = reader.number(*limit, "lower").value_or(0);
-        joint.upper = reader.number(*limit, "upper").value_or(0);
+        joint.lower = read_limit(*limit, "lower", reader);
+        joint.upper = read_limit(*limit, "upper", reader);
     }
 }
 

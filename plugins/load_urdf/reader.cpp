@@ -97,11 +97,24 @@ double Reader::required_number(const xml::Element& element, std::string_view att
     return *number(element, attribute);
 }
 
+std::string Reader::evaluated(const xml::Element& element, std::string_view attribute) const {
+    constexpr std::string_view variable = "$(optenv ";
+    const std::string& text = *element.attribute(attribute);
+    const std::size_t value = text.find(' ', variable.size());
+    if (!text.starts_with(variable) || !text.ends_with(')') || value == text.npos || text.find('$', 1) != text.npos) {
+        return required(element, attribute);
+    }
+    const std::string result = text.substr(value + 1, text.size() - value - 2);
+    warn(element, fmt::format("<{} {}=\"{}\"> is read as \"{}\"; remedy: run xacro first: xacro IN.xacro > OUT.urdf",
+                              element.name, attribute, text, result));
+    return result;
+}
+
 std::optional<Vec3> Reader::vector(const xml::Element& element, std::string_view attribute) const {
     if (is_empty(element, attribute)) {
         return {};
     }
-    const std::string& text = required(element, attribute);
+    const std::string text = evaluated(element, attribute);
     const std::string blanks = without_commas(text);
     const std::vector<std::string_view> pieces = words(blanks);
     if (pieces.size() < 3) {

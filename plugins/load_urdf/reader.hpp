@@ -47,6 +47,8 @@ public:
 
 private:
     double parse(const xml::Element& element, std::string_view attribute, std::string_view text) const;
+    /// Returns the attribute's text, of "$(optenv NAME DEFAULT)" the default, with a warning.
+    std::string evaluated(const xml::Element& element, std::string_view attribute) const;
     bool is_empty(const xml::Element& element, std::string_view attribute) const;
 
     std::string label_;

@@ -34,7 +34,7 @@ TEST_F(RobotsIn, WrongFilesKeepTheirBytesOutsideCollisions) {
         const Outcome outcome =
             foam("spherize '" + entry.path().string() + "' -n 6 -m octree -o '@/tolerance/out.urdf'");
         ASSERT_EQ(outcome.code, 0) << entry.path() << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("remedy: ")) << entry.path();
+        EXPECT_THAT(outcome.err, HasSubstr("foam: warning: load.urdf: ")) << entry.path();
         const std::string before = contents(entry.path()), after = contents(path() / "tolerance/out.urdf");
         const std::size_t begin = before.find("<collision>"), end = before.rfind("</collision>");
         EXPECT_EQ(after.substr(0, begin), before.substr(0, begin)) << entry.path();
@@ -65,15 +65,15 @@ TEST_F(RobotsIn, UnitsAreQuestioned) {
     EXPECT_THAT(foam("spherize robot_units/bracket_unscaled.urdf -n 4 -m octree -o out.urdf").err,
                 HasSubstr("is large for a robot; if the mesh of link 'bracket' is in millimetres: <mesh scale=\"0.001 "
                           "0.001 0.001\"/>"));
-    ASSERT_EQ(foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.json").code, 0);
-    EXPECT_THAT(foam("convert out.json --pad 5 -o out.csv").err,
+    ASSERT_EQ(foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.urdf").code, 0);
+    EXPECT_THAT(foam("convert out.urdf --pad 5 -o out.csv").err,
                 HasSubstr("warning: --pad 5 is 5 m, more than the largest link"));
-    EXPECT_THAT(foam("convert out.json --pad 5mm -o out.csv").err, Not(HasSubstr("warning: --pad")));
+    EXPECT_THAT(foam("convert out.urdf --pad 5mm -o out.csv").err, Not(HasSubstr("warning: --pad")));
 }
 
 TEST_F(RobotsIn, TheUpAxisIsIgnored) {
     EXPECT_THAT(foam("spherize dae_up_axis/yup.urdf -n 4 -m octree -o out.urdf -v").err,
-                HasSubstr("yup.dae: its up_axis Y_UP is ignored, as by RViz and MoveIt"));
+                HasSubstr("yup.dae: its up_axis 'Y_UP' is ignored, as by RViz and MoveIt"));
 }
 
 TEST_F(RobotsIn, PackagesByName) {

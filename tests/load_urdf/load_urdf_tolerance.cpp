@@ -148,6 +148,13 @@ TEST(LoadUrdfTolerance, Joints) {
     EXPECT_FALSE(endless.robot.joints.at(0).limited);
     EXPECT_THAT(endless.warnings, ElementsAre("/none/robot.urdf:2: <limit> is infinite, so the joint is read without "
                                               "limits"));
+    const Loaded point = with_joint("<limit effort='1' velocity='1' lower='-1.57.' upper='1'/>");
+    EXPECT_EQ(point.robot.joints.at(0).lower, -1.57);
+    EXPECT_THAT(point.warnings, ElementsAre("/none/robot.urdf:2: <limit lower=\"-1.57.\"> is read as -1.57; remedy: "
+                                            "lower=\"-1.57\""));
+    const Loaded variable = with_joint("<origin xyz='$(optenv IMU_XYZ 0.19 0 0.149)'/>");
+    EXPECT_EQ(variable.robot.joints.at(0).origin.translation, (Vec3{0.19, 0, 0.149}));
+    EXPECT_THAT(variable.warnings, ElementsAre(HasSubstr("is read as \"0.19 0 0.149\"; remedy: run xacro first")));
     const Loaded world = loaded("<robot name='r'><link name='a'/><joint name='j' type='fixed'>\n<parent link='world'/>"
                                 "<child link='a'/></joint></robot>");
     EXPECT_EQ(world.robot.root, "world");

@@ -149,7 +149,7 @@ private:
             std::vector<std::string> entries = recipe_.package_path;
             for (std::string& entry : entries) {
                 entry =
-                    absolute_paths_ ? package_entry(entry, fs::absolute(recipe_.file.parent_path())).string() : entry;
+                    absolute_paths_ ? package_entry(entry, fs::current_path() / recipe_.file.parent_path()).string() : entry;
             }
             line("package_path: {}", yaml_list(entries));
         }
