@@ -22,7 +22,6 @@ public:
         : document_(source), builder_(builder), context_(context) {}
 
     void read() {
-        tell_up_axis();
         const Affine unit = Affine::scaling(Vec3{1, 1, 1} * metres_per_unit());
         if (const Element* scene = visual_scene()) {
             nodes(*scene, unit);
@@ -42,17 +41,6 @@ private:
         Affine pose;
         std::size_t depth;
     };
-
-    /// RViz and MoveIt take the numbers as they are, and so does foam.
-    void tell_up_axis() const {
-        const Element* asset = document_.root().child("asset");
-        const Element* axis = asset ? asset->child("up_axis") : nullptr;
-        const std::string_view name = axis ? ElementWords(document_.source(), *axis).next() : "Z_UP";
-        if (name != "Z_UP") {
-            context_.log(Severity::info, fmt::format("{}: its up_axis {} is ignored, as by RViz and MoveIt",
-                                                     document_.source().file.string(), printable(name)));
-        }
-    }
 
     double metres_per_unit() const {
         const Element* asset = document_.root().child("asset");

@@ -16,7 +16,7 @@ namespace foam::load_mesh {
 
 class ColladaDocument {
 public:
-    /// Parses the text. Throws Error(input) if it is not XML or not COLLADA. Text that is not UTF-8 is read as ISO-8859-1.
+    /// Parses the text. Throws Error(input) if it is not XML or not COLLADA. Bytes that are not UTF-8 count as '?'.
     explicit ColladaDocument(const Source& source);
 
     const Source& source() const { return source_; }

@@ -5,15 +5,36 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace foam::load_mesh {
 namespace {
 
-/// Frequent errors of exporters move no byte, so that places stay right.
+/// Repairs frequent errors of exporters without moving any byte, so that places stay right: bytes that are not UTF-8,
+/// and an XML declaration after the start of the file.
+std::string repaired(std::string_view text) {
+    std::string result = with_valid_utf8(text);
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start != 0 && start != text.npos && text.substr(start).starts_with("<?xml ")) {
+        const std::size_t end = std::min(text.find("?>", start), text.size() - 2) + 2;
+        for (std::size_t at = start; at < end; ++at) {
+            result[at] = result[at] == '\n' ? '\n' : ' ';
+        }
+    }
+    return result;
+}
+
+bool has_another_encoding(std::string_view text) {
+    const std::string_view declaration = text.substr(0, text.find("?>"));
+    const std::size_t at = declaration.find("encoding=");
+    return declaration.starts_with("<?xml") && at != declaration.npos &&
+           !lower_case(declaration.substr(at, 17)).ends_with("utf-8");
+}
+
 std::unique_ptr<const xml::Element> parsed(const Source& source) {
-    std::vector<xml::Fault> faults;
-    return xml::parse_leniently(source.bytes, source.file.string(), ErrorCode::input, faults);
+    const std::string& text = source.bytes;
+    const std::string label = source.file.string();
+    return has_another_encoding(text) ? xml::parse(text, label, ErrorCode::input)
+                                      : xml::parse(repaired(text), label, ErrorCode::input);
 }
 
 std::size_t text_end(const xml::Element& element) {

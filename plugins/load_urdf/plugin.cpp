@@ -4,6 +4,7 @@
 #include "xacro.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/text.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include <fmt/format.h>
@@ -16,19 +17,20 @@ namespace {
 /// Returns why a mesh is not found: the place in the robot, the places that were looked at, the remedy.
 std::string explain(const GeometryElement& element, const Link& link, const std::string& uri,
                     const ResolvedResource& resource, const std::string& label) {
-    std::string text = fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, element.line, uri, link.name);
+    std::string text = fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, element.line, shown(uri),
+                                   shown(link.name));
     if (resource.tried.empty()) {
         text += "; references are package://PACKAGE/FILE, model://, file:// or a path";
     } else {
         text += "; tried:";
         for (const std::filesystem::path& path : resource.tried) {
-            text += "\n  " + path.string();
+            text += "\n  " + shown(path.string());
         }
     }
     if (const std::string package = package_of(uri); !package.empty()) {
         text += fmt::format("\nremedy: --package {0}=FOLDER, where FOLDER is the package, or FOAM_PACKAGE_PATH=FOLDER, "
                             "where FOLDER/{0} is it",
-                            package);
+                            shown(package));
     }
     return text;
 }
@@ -84,10 +86,11 @@ private:
                     if (!found.found()) {
                         mesh->problem = explain(element, link, mesh->uri, found, reader.label());
                     } else if (!found.fault.empty()) {
+                        const std::string cure = found.path.lexically_proximate(folder).string();
                         reader.warn(element.line,
-                                    fmt::format("mesh '{}' is taken to be {}: {}; remedy: filename=\"{}\"", mesh->uri,
-                                                found.path.string(), found.fault,
-                                                found.path.lexically_proximate(folder).string()));
+                                    fmt::format("mesh '{}' is taken to be {}: {}; remedy: filename=\"{}\"",
+                                                shown(mesh->uri), shown(found.path.string()), found.fault,
+                                                shown(cure)));
                     }
                 }
             }

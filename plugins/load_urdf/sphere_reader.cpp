@@ -12,6 +12,32 @@
 
 namespace foam::urdf {
 
+/// Returns macros of collision elements, as write.xacro writes them, as links of a URDF on the same lines. Joints that
+/// mean nothing hold the links together.
+static std::string links_of_macros(const std::string& text, const std::filesystem::path& file) {
+    constexpr std::string_view suffix = "_collision", end_tag = "</xacro:macro>";
+    const auto root = xml::parse(text, file.string(), ErrorCode::input);
+    std::string result, first;
+    std::size_t done = 0;
+    for (const xml::Element* macro : root->children_named("xacro:macro")) {
+        const std::string* name = macro->attribute("name");
+        if (!name || !name->ends_with(suffix) || macro->self_closing()) {
+            continue; // the loader says what it is
+        }
+        const std::string link = name->substr(0, name->size() - suffix.size());
+        result += text.substr(done, macro->start_tag.begin - done) + fmt::format("<link name=\"{}\">", link) +
+                  text.substr(macro->start_tag.end, macro->end_tag - macro->start_tag.end) + "</link>";
+        if (first.empty()) {
+            first = link;
+        } else {
+            result += fmt::format(R"(<joint name="{0}" type="fixed"><parent link="{1}"/><child link="{0}"/></joint>)",
+                                  link, first);
+        }
+        done = macro->end_tag + end_tag.size();
+    }
+    return result + text.substr(done);
+}
+
 /// Returns the hull that a mesh is; nothing with the reason if it is none.
 std::optional<Element> SphereReader::read_hull(const MeshReference& mesh, std::string& why, Context& context) const {
     constexpr double most_triangles = 100'000; // of a convex piece
@@ -71,7 +97,9 @@ bool SphereReader::recognises(std::string_view text) const {
 }
 
 SphereFile SphereReader::read(const std::string& text, const std::filesystem::path& file, Context& context) const {
-    const Robot robot = loader_->load(text, file, ResourceResolver::from_environment(), context);
+    const bool macros = text.find("<xacro:macro") != text.npos;
+    const Robot robot = loader_->load(macros ? links_of_macros(text, file) : text, file,
+                                      ResourceResolver::from_environment(), context);
     SphereFile result;
     result.file = file;
     result.format = "URDF";
@@ -79,7 +107,7 @@ SphereFile SphereReader::read(const std::string& text, const std::filesystem::pa
         read_link(link, result, context);
     }
     for (const Joint& joint : robot.joints) {
-        if (joint.kind == Joint::Kind::fixed) {
+        if (joint.kind == Joint::Kind::fixed && !macros) {
             result.fixed_joints[joint.child] = {joint.parent, joint.origin};
         }
     }

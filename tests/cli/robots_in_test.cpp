@@ -71,11 +71,6 @@ TEST_F(RobotsIn, UnitsAreQuestioned) {
     EXPECT_THAT(foam("convert out.urdf --pad 5mm -o out.csv").err, Not(HasSubstr("warning: --pad")));
 }
 
-TEST_F(RobotsIn, TheUpAxisIsIgnored) {
-    EXPECT_THAT(foam("spherize dae_up_axis/yup.urdf -n 4 -m octree -o out.urdf -v").err,
-                HasSubstr("yup.dae: its up_axis 'Y_UP' is ignored, as by RViz and MoveIt"));
-}
-
 TEST_F(RobotsIn, PackagesByName) {
     fs::create_directories(path() / "here");
     write("here/box.obj", box_obj);

@@ -74,7 +74,7 @@ private:
         element->name = name;
         for (; *attributes; attributes += 2) {
             element->attributes.emplace_back(attributes[0], attributes[1]);
-            if (lenient_) {
+            if (lenient_ && lenient_->has_bare_ampersands) {
                 std::string& value = element->attributes.back().second;
                 std::replace(value.begin(), value.end(), bare_ampersand, '&');
             }

@@ -84,19 +84,22 @@ bool begins_entity(std::string_view text) {
     return end != text.npos && end > 1 && text[end] == ';';
 }
 
+/// Replaces each '&' that begins no entity, unless a character or a number could be taken for what replaces it.
 void mend_ampersands(Mended& result) {
     std::string& text = result.text;
-    bool told = false;
+    if (text.find(bare_ampersand) != text.npos || text.find("&#") != text.npos) {
+        return;
+    }
     for (std::size_t at = text.find_first_of("&<"); at != text.npos; at = text.find_first_of("&<", at + 1)) {
         if (const char* close = text.compare(at, 4, "<!--") == 0        ? "-->"
                                 : text.compare(at, 9, "<![CDATA[") == 0 ? "]]>"
                                                                         : nullptr) {
             at = std::min(text.find(close, at), text.size() - 1);
         } else if (text[at] == '&' && !begins_entity(std::string_view(text).substr(at))) {
-            if (!told) {
+            if (!result.has_bare_ampersands) {
                 result.faults.push_back({line_at(text, at), "a '&' begins no entity; remedy: write &amp;"});
-                told = true;
             }
+            result.has_bare_ampersands = true;
             text[at] = bare_ampersand;
         }
     }

@@ -9,14 +9,15 @@
 
 namespace foam::xml {
 
-/// Stands for a '&' that begins no entity, which expat refuses.
+/// Stands for a '&' that begins no entity, which expat refuses; in texts that have no such character themselves.
 constexpr char bare_ampersand = '\x7F';
 
 /// A text of as many bytes that expat reads: no place and no line moves.
 struct Mended {
     std::string text;
     std::vector<Fault> faults;
-    const char* encoding = nullptr; ///< in place of the one that the text declares
+    const char* encoding = nullptr;   ///< in place of the one that the text declares
+    bool has_bare_ampersands = false; ///< bare_ampersand stands for them
 };
 
 /// Mends what stands before an XML declaration, comments with "--" in them, '&' that begin no entity, and encodings

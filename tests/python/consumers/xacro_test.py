@@ -55,6 +55,7 @@ def test_macros_are_included_into_the_users_file(tmp_path):
     found = spheres_of(ET.fromstring(document.toxml()))
     assert found == {name: radii for name, radii in expected.items() if radii}
     assert found
+    assert foam(tmp_path, "certify", CASE, "arm.xacro").returncode == 0
 
 
 @pytest.mark.parametrize("text, said", [
