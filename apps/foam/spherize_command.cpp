@@ -7,7 +7,6 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
-#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/run_json.hpp>

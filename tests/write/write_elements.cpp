@@ -75,7 +75,8 @@ TEST(ElementWriters, KindsThatAWriterHoldsComeBackAsElementsThatContainThem) {
     });
     EXPECT_THAT(holders, testing::UnorderedElementsAre("write.csv", "write.curobo_scene", "write.gltf", "write.json",
                                                        "write.markers", "write.mjcf", "write.moveit_scene", "write.ply",
-                                                       "write.sdf", "write.urdf", "write.usd", "write.vamp_world"));
+                                                       "write.sdf", "write.urdf", "write.usd", "write.vamp_world",
+                                                       "write.xacro"));
 }
 
 TEST(ElementWriters, OtherKindsAreRefusedByName) {

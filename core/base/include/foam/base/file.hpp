@@ -44,6 +44,8 @@ std::filesystem::path followed(const std::filesystem::path& file, std::error_cod
 /// Writes to a temporary name in the same folder, then renames. A symbolic link stays, and the file that it names is
 /// replaced. A special file is written to. Returns what went wrong.
 std::error_code replace_file(const std::filesystem::path& file, std::string_view bytes);
+/// Throws Error(input) naming the file, and the nearest name there is, for what is no regular file.
+void require_file(const std::filesystem::path& file);
 
 } // namespace base
 } // namespace foam

@@ -19,8 +19,6 @@ inline constexpr std::uintmax_t most_bytes = std::uintmax_t{1} << 34;
 /// Returns the content of a regular file of at most `most` bytes; a larger file is not read. Throws Error(input).
 std::string read_file(const std::filesystem::path& file, std::uintmax_t most = most_bytes,
                       std::string_view if_too_large = "check that this is the file you mean");
-/// Throws Error(input) for what is no regular file, as read_file() does.
-void require_file(const std::filesystem::path& file);
 /// The digest of a file's bytes, and their number.
 struct DigestedFile {
     Digest digest;
