@@ -15,11 +15,12 @@ namespace {
 
 /// Returns the text of the robot's file, or one composed of what the robot has.
 std::string urdf_of(const SphereModel& model, const std::string& writer) {
-    if (!model.robot || (model.robot->source.empty() && has_only_names(*model.robot))) {
+    const bool own = model.robot && !model.robot->source.empty() && xml::root_name(model.robot->source) != "mujoco";
+    if (!model.robot || (!own && has_only_names(*model.robot))) {
         throw Error(ErrorCode::output,
                     writer + ": the robot has no URDF text to put the spheres into; remedy: give its URDF");
     }
-    return model.robot->source.empty() ? composed_urdf(*model.robot) : model.robot->source;
+    return own ? model.robot->source : composed_urdf(*model.robot);
 }
 
 /// The loader has warned of what the text lacks.

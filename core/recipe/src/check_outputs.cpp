@@ -46,7 +46,8 @@ bool collide(const std::string& a, const std::string& b) {
 void warn_of_ending(const RegisteredStage& writer, const std::string& file, const Place& where, Findings& findings) {
     const std::string ending = extension_of(file);
     const auto& usual = writer.info.extensions;
-    if (!usual.empty() && std::find(usual.begin(), usual.end(), ending) == usual.end()) {
+    const bool mujoco = writer.info.name == "write.mjcf" && ending == "xml"; // what MuJoCo opens
+    if (!mujoco && !usual.empty() && std::find(usual.begin(), usual.end(), ending) == usual.end()) {
         findings.warning(where, "unusual-ending",
                          fmt::format("{} writes .{}, regardless of the extension of {}", writer.info.name,
                                      fmt::join(usual, " or ."), in_quotes(file)));
@@ -293,4 +294,4 @@ void check_snapshots(const Value* snapshots, const Value& root, Recipe& recipe, 
     }
 }
 
-} // namespace foam::recipe::reading
+} // namespace foam::inline recipe::reading

@@ -213,7 +213,9 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     const RegisteredStage* writer = &writer_for(ending, registry);
     QuickRecipe recipe;
     recipe.name = plain_name(input) + (method.elements ? "_elements" : "_spheres");
-    recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
+    const bool mujoco = writer->info.name == "write.mjcf" && ending_of(input) == "xml"; // what MuJoCo opens
+    const std::vector<std::string>& endings = writer->info.extensions;
+    recipe.output = recipe.name + "." + (mujoco ? "xml" : endings.empty() ? ending : endings.front());
     const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
         try {
             return nlohmann::json(text).dump();
