@@ -119,6 +119,9 @@ class XacroLoader final : public RobotLoader {
 public:
     explicit XacroLoader(const Parameters& parameters) : arguments_(parameters.text("args")), loader_(false) {}
 
+    /// A URDF often keeps the namespace of the xacro that it was made from: the ending tells them apart.
+    bool recognises(std::string_view text) const override { return loader_.recognises(text); }
+
     Robot load(const std::string&, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
         return loader_.load_labelled(expanded_xacro(file, arguments_), file.string() + " (expanded)", file, resources,

@@ -128,6 +128,8 @@ TEST_F(RobotsIn, Xacro) {
     EXPECT_THAT(none.err, HasSubstr("the program xacro cannot be started (No such file or directory); remedy: pip "
                                     "install xacro"));
     EXPECT_EQ(foam("spherize visual_only/mix.urdf len:=1 -n 4").code, 2);
+    write("other.yaml", "foam: 1\nrobot: {xacro: visual_only/mix.urdf}\nstages: [spherize.octree]\n");
+    EXPECT_THAT(foam("check other.yaml").out + foam("check other.yaml").err, HasSubstr("does not end in .xacro"));
 }
 
 } // namespace

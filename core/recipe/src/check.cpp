@@ -2,6 +2,7 @@
 
 #include "format.hpp"
 
+#include <foam/base/file.hpp>
 #include <foam/recipe/internal/keys.hpp>
 #include <foam/recipe/internal/yaml.hpp>
 #include <foam/sdk/kinds.hpp>
@@ -181,6 +182,14 @@ void check_robot_files(const Value& robot, Recipe& recipe, Findings& findings) {
                        "both 'urdf' and 'xacro' are given; remedy: delete one");
     } else {
         recipe.urdf = read_references(urdf ? *urdf : *xacro, urdf ? "urdf" : "xacro", findings);
+    }
+    for (const std::string& file : recipe.urdf) { // the ending tells that xacro has to run
+        if (xacro && !urdf && extension_of(file) != "xacro") {
+            findings.error(xacro->where, "wrong-format",
+                           fmt::format("'{}' does not end in .xacro; remedy: rename it, or write robot: {{urdf: FILE}} "
+                                       "if it is a URDF",
+                                       file));
+        }
     }
     if (args && !xacro) {
         findings.error(robot.find_key("args")->where, "conflict",

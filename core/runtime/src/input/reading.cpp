@@ -53,13 +53,17 @@ DigestedFile digest_of_mesh(const Registry& registry, const Reading& reading, co
                  : digest_of_file(file);
 }
 
-/// Returns the loader that recognises the text. Where none does, that of the file name's ending, or of URDFs, says what
-/// is wrong with it.
+/// Returns the loader that recognises the text; of several the preferred one, then that of the file name's ending. Where
+/// none does, that of the ending, or of URDFs, says what is wrong with it.
 const RegisteredStage& robot_loader_of(const Registry& registry, const Reading& reading, const fs::path& file,
                                        std::string_view text) {
+    const RegisteredStage* of_ending = registry.find_for_extension(StageKind::robot_loader, extension_of(file));
     const RegisteredStage* loader = nullptr;
+    const auto rank = [&](const RegisteredStage& stage) {
+        return stage.info.name == reading.preferred_loader ? 2 : &stage == of_ending ? 1 : 0;
+    };
     for (const auto& [name, stage] : registry.stages()) {
-        const bool better = !loader || name == reading.preferred_loader;
+        const bool better = !loader || rank(stage) > rank(*loader);
         if (stage.kind == StageKind::robot_loader && better && registry.make<RobotLoader>(name)->recognises(text)) {
             loader = &stage;
         }
