@@ -124,9 +124,9 @@ TEST_F(MjcfInto, RefusesAnotherFileAndAMissingBody) {
 
 /// Every place of an MJCF file that names a geom.
 constexpr const char* naming = R"(<mujoco>
-  <worldbody>
+  <worldbody><geom name="seen" type="plane" size="1 1 1"/>
     <body name="first"><geom name="palm" size="0.1"/></body>
-    <body name="second"><geom name="foot" size="0.2"/><geom size="0.1"/><geom name="seen" size="1" contype="0" conaffinity="0"/>
+    <body name="second"><geom name="foot" size="0.2"/><geom size="0.1"/>
       <site name="s"/></body>
   </worldbody>
   <contact><pair geom1="seen" geom2="seen"/></contact>
