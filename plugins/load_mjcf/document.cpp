@@ -11,12 +11,6 @@
 
 namespace foam::mjcf {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr std::uintmax_t most_bytes = 200'000'000;
-
-} // namespace
-
 std::vector<const Node*> Node::children_named(std::string_view child_name) const {
     std::vector<const Node*> found;
     for (const Node& child : children) {
@@ -46,6 +40,19 @@ const std::string& Node::required(std::string_view key) const {
 fs::path path_of(std::string reference) {
     std::replace(reference.begin(), reference.end(), '\\', '/');
     return reference;
+}
+
+std::string bytes_of(const fs::path& file, std::uintmax_t most, std::string_view if_too_large) {
+    FileContents contents = read_regular_file(file, most, if_too_large);
+    if (!contents.problem.empty()) {
+        throw Error(ErrorCode::input, fmt::format("{}: {}", file.string(), contents.why_not()));
+    }
+    return std::move(contents.bytes);
+}
+
+std::string text_of(const fs::path& file) {
+    constexpr std::uintmax_t most = 200'000'000;
+    return bytes_of(file, most, "leave it out");
 }
 
 Document::Document(const std::string& text, const fs::path& file) {
@@ -96,7 +103,7 @@ void Document::include(const Node& place, std::vector<Node>& into) {
     if (!included_.insert(file.lexically_normal()).second) {
         place.fail(fmt::format("the file '{}' is included twice; remedy: keep one <include>", name.string()));
     }
-    const File& added = add(read_regular_file(file, most_bytes, "leave it out").bytes, file);
+    const File& added = add(text_of(file), file);
     Node root{added.root.get(), &added};
     expand(root);
     std::move(root.children.begin(), root.children.end(), std::back_inserter(into));

@@ -3,6 +3,7 @@
 
 #include <foam/xml/document.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -39,6 +40,11 @@ struct Node {
 
 /// Returns the path that a reference states; MuJoCo takes both kinds of slashes.
 std::filesystem::path path_of(std::string reference);
+
+/// Returns the bytes of a file that an MJCF names, of at most `most`. Throws Error(input) for one that cannot be read.
+std::string bytes_of(const std::filesystem::path& file, std::uintmax_t most, std::string_view if_too_large);
+/// Returns the text of an MJCF that another one names. Errors as bytes_of().
+std::string text_of(const std::filesystem::path& file);
 
 /// An MJCF and the files that it includes. Nodes point into it.
 class Document {

@@ -1,14 +1,11 @@
 #include "model.hpp"
 
-#include <foam/base/file.hpp>
-
 #include <fmt/format.h>
 
 namespace foam::mjcf {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uintmax_t most_model_bytes = 200'000'000;
 constexpr int deepest_models = 20;
 
 std::optional<Model::Found> find_below(const Node& node, std::string_view element, const std::string& name,
@@ -88,8 +85,7 @@ void Model::read_assets(int depth) {
             if (!fs::is_regular_file(file, error)) {
                 node->fail(fmt::format("the model '{}' is not found; remedy: correct its path", file.string()));
             }
-            auto model = std::make_unique<const Model>(read_regular_file(file, most_model_bytes, "leave it out").bytes,
-                                                       file, depth + 1);
+            auto model = std::make_unique<const Model>(text_of(file), file, depth + 1);
             const std::string *own = node->attribute("name"), *stated = model->document.root().attribute("model");
             models[own ? *own : stated ? *stated : "MuJoCo Model"] = std::move(model);
         }

@@ -1,7 +1,5 @@
 #include "meshes.hpp"
 
-#include <foam/base/file.hpp>
-
 #include <fmt/format.h>
 
 #include <cstring>
@@ -27,7 +25,7 @@ template <class T> T number_at(const std::string& bytes, std::size_t at) {
 } // namespace
 
 Mesh read_msh(const std::filesystem::path& file) {
-    const std::string bytes = read_regular_file(file, most_msh_bytes, "simplify the mesh").bytes;
+    const std::string bytes = bytes_of(file, most_msh_bytes, "simplify the mesh");
     if (bytes.size() < 16) {
         fail_msh(file, "it has no header");
     }

@@ -1,6 +1,8 @@
 // What load.mjcf refuses, and what it says.
 #include "loading.hpp"
 
+#include <gmock/gmock.h>
+
 namespace foam::test {
 namespace {
 
@@ -61,6 +63,17 @@ TEST(LoadMjcfErrors, ListsWhereAFileWasSearched) {
     EXPECT_EQ(error_in_world("<geom type='mesh' mesh='ab'/>",
                              "<asset><mesh name='abc' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>"),
               "/none/robot.xml:3: <geom mesh=\"ab\">: there is no such mesh; did you mean 'abc'?");
+}
+
+TEST(LoadMjcfErrors, OfAFileThatIsNotReadSayWhy) {
+    const TemporaryFolder folder;
+    const std::filesystem::path large = folder.path() / "large.xml";
+    write(large.string(), "");
+    std::filesystem::resize_file(large, 200'000'001); // takes no room on the disk
+    for (const char* content : {"<include file='large.xml'/>", "<asset><model name='m' file='large.xml'/></asset>"}) {
+        EXPECT_THAT(error_of(std::string("<mujoco>") + content + "</mujoco>", folder.path() / "robot.xml"),
+                    testing::AllOf(testing::StartsWith(large.string() + ": "), testing::EndsWith("remedy: leave it out")));
+    }
 }
 
 TEST(LoadMjcfErrors, OfFilesThatLeadToThemselves) {

@@ -94,6 +94,15 @@ std::string counted(std::size_t count, std::string_view noun) {
     return fmt::format("{} {}{}", count, noun, count == 1 ? "" : noun.ends_with("sh") ? "es" : "s");
 }
 
+std::string first_names(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) {
+        text += (i > 0 ? ", " : "") + names[i];
+    }
+    return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
+}
+
 std::string with_article(std::string_view noun) {
     constexpr std::string_view vowels = "aeiou";
     const bool vowel = !noun.empty() && vowels.find(noun.front()) != vowels.npos;

@@ -10,16 +10,7 @@
 namespace foam::inline robot {
 namespace {
 
-constexpr std::size_t most_named = 3;
 constexpr const char* nothing_is_proved = "nothing is proved (guarantee: fitted)";
-
-/// Returns the first names, and how many more there are.
-std::string named(const std::vector<std::string>& names) {
-    const std::size_t shown = std::min(names.size(), most_named);
-    std::string text =
-        fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-    return shown < names.size() ? fmt::format("{} and {} more", text, names.size() - shown) : text;
-}
 
 std::string links_text(std::size_t proved, std::size_t all) {
     return fmt::format("{} of {}", proved, counted(all, "link"));
@@ -33,7 +24,7 @@ std::string only_text(const std::vector<std::string>& links, const char* geometr
     }
     return names.empty() ? ""
                          : fmt::format("{} link{} {} geometry only and no spheres: {}.\n", names.size(),
-                                       names.size() == 1 ? " has" : "s have", geometry, named(names));
+                                       names.size() == 1 ? " has" : "s have", geometry, first_names(names));
 }
 
 std::string with_capital(std::string text) {

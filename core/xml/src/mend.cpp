@@ -1,5 +1,7 @@
 #include "mend.hpp"
 
+#include <foam/base/text.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -135,10 +137,7 @@ std::string declared_encoding(std::string_view text) {
     if (quote == declaration.npos) {
         return {};
     }
-    std::string name(declaration.substr(quote + 1, declaration.find(declaration[quote], quote + 1) - quote - 1));
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return name;
+    return lower_case(declaration.substr(quote + 1, declaration.find(declaration[quote], quote + 1) - quote - 1));
 }
 
 /// Chooses an encoding where expat would refuse the text for it: names then have one letter a byte, as other readers

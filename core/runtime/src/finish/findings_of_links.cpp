@@ -69,19 +69,15 @@ void tell_loose_links(const Workspace& workspace, const FinishedModel& finished)
         }
     }
     if (!names.empty()) {
-        constexpr std::size_t most_named = 3;
         const bool one = names.size() == 1;
-        const std::size_t others = names.size() - std::min(names.size(), most_named);
-        names.resize(std::min(names.size(), most_named));
         workspace.journal.finding(
             {Severity::warning, "", "",
              fmt::format(
-                 "few {} fit {} loosely: {}{}: excess {}{:.1f}, the robot's is {:.2f}; the allocation goes "
+                 "few {} fit {} loosely: {}: excess {}{:.1f}, the robot's is {:.2f}; the allocation goes "
                  "by volume, and small links have little; remedy: budget: {{share: even}}, or links: {{{}: "
                  "{{min_spheres: …}}}}",
-                 spheres ? "spheres" : "elements", one ? "a small link" : "small links", fmt::join(names, ", "),
-                 others > 0 ? fmt::format(" and {} more", others) : "", one ? "" : "up to ", largest, excess,
-                 names.front())});
+                 spheres ? "spheres" : "elements", one ? "a small link" : "small links", first_names(names),
+                 one ? "" : "up to ", largest, excess, names.front())});
     }
 }
 

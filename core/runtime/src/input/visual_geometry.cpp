@@ -149,15 +149,12 @@ void tell_visual_geometry(const Workspace& workspace, const Robot& robot, const 
         }
     }
     if (!names.empty()) {
-        constexpr std::size_t most_named = 3;
-        const std::size_t others = names.size() - std::min(names.size(), most_named);
-        names.resize(std::min(names.size(), most_named));
         workspace.journal.finding(
             {Severity::warning, "", "",
              fmt::format(
-                 "the visual geometry extends beyond the collision geometry, which is what elements cover: {}{}; "
-                 "to cover both: --geometry both, or cover: both in the recipe",
-                 fmt::join(names, ", "), others > 0 ? fmt::format(" and {} more", others) : "")});
+                 "the visual geometry extends beyond the collision geometry, which is what elements cover: {}; to "
+                 "cover both: --geometry both, or cover: both in the recipe",
+                 first_names(names))});
     }
 }
 

@@ -16,6 +16,8 @@ std::string number_text(double value);
 std::optional<double> parse_number(std::string_view text);
 /// Returns a number with its noun: "1 pair", "2 pairs", "3 meshes". `noun`: in the singular, regular.
 std::string counted(std::size_t count, std::string_view noun);
+/// Returns the first three names, and how many more there are: "a, b, c and 2 more".
+std::string first_names(const std::vector<std::string>& names);
 /// Returns a noun behind its article: "a box", "an ellipsoid".
 std::string with_article(std::string_view noun);
 /// Returns the text with the letters A to Z in lower case; other characters stay.

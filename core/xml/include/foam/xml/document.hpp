@@ -52,8 +52,8 @@ struct Fault {
 };
 
 /// Parses a text as the readers of the field do, and adds what it lacks to `faults`: blanks, NULs and byte order marks
-/// may stand before the XML declaration, anything after the root element, "--" in comments, '&' that begin no entity;
-/// bytes may be of another encoding than the text says. Places are those in `text`. Throws as parse() for all else.
+/// may stand before the XML declaration, anything after the root element, "--" in comments, '&' that begin no entity (in
+/// a text without "&#"); bytes may be of another encoding than the text says. Places are those in `text`. Throws as parse() for all else.
 std::unique_ptr<const Element> parse_leniently(std::string_view text, const std::string& label, ErrorCode code,
                                                std::vector<Fault>& faults);
 
