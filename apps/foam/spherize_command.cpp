@@ -59,7 +59,7 @@ std::string output_ending(const SpherizeArguments& arguments, const Registry& re
         throw Error(ErrorCode::usage, "-o - needs --format, e.g. --format json");
     }
     if (arguments.output.empty()) {
-        return is_mesh(arguments.input, registry) ? "json" : "urdf";
+        return is_mesh(arguments.input, registry) ? "json" : own_format(arguments.input, registry);
     }
     const std::string extension = fs::path(arguments.output).extension().string();
     if (extension.empty()) {
@@ -282,7 +282,7 @@ void add_output_options(CLI::App& command, SpherizeArguments& arguments, const s
     command
         .add_option("-o,--output", arguments.output,
                     fmt::format("Output file; its extension selects the format; - is the standard output; default: the "
-                                "name of INPUT with _{}, as URDF or JSON",
+                                "name of INPUT with _{}, as URDF, MJCF or JSON",
                                 elements))
         ->type_name("FILE");
     command
@@ -378,6 +378,7 @@ void add_spherize(Program& program) {
                                     "  foam spherize robot.urdf --excess 0.5    the fewest spheres with this excess\n"
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize part.stl -n 16 --set guarantee=fitted    close, not covering\n"
+                                    "  foam spherize robot.xml -n 60            writes robot_spheres.xml, for MuJoCo\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<SpherizeArguments>();
     arguments->execute.say_which = false; // the user did
@@ -391,6 +392,7 @@ void add_approximate(Program& program) {
                                     "  foam approximate robot.urdf -n 20 --with capsule   writes robot_elements.urdf\n"
                                     "  foam approximate part.stl -n 8 --with hull -o part.json\n"
                                     "  foam approximate robot.urdf --cost 60 --with sphere,capsule,box\n"
+                                    "  foam approximate robot.xml -n 20 --with capsule    writes robot_elements.xml\n"
                                     "  foam approximate robot.urdf -n 20 --print-recipe > robot.yaml\n"
                                     "\n"
                                     "The elements are proved to enclose the geometry, on the numbers in the file.\n"

@@ -31,6 +31,7 @@ public:
         shapes.read(meshes_.get());
         add_geometry(tree, shapes, context);
         tree.robot.file = file;
+        tree.robot.source = text; // for write.mjcf, which edits it
         return std::move(tree.robot);
     }
 

@@ -15,11 +15,12 @@ namespace {
 
 /// Returns the text of the robot's file, or one composed of what the robot has.
 std::string urdf_of(const SphereModel& model, const std::string& writer) {
-    if (!model.robot || (model.robot->source.empty() && has_only_names(*model.robot))) {
+    const bool own = model.robot && !model.robot->source.empty() && xml::root_name(model.robot->source) != "mujoco";
+    if (!model.robot || (!own && has_only_names(*model.robot))) {
         throw Error(ErrorCode::output,
                     writer + ": the robot has no URDF text to put the spheres into; remedy: give its URDF");
     }
-    return model.robot->source.empty() ? composed_urdf(*model.robot) : model.robot->source;
+    return own ? model.robot->source : composed_urdf(*model.robot);
 }
 
 /// The loader has warned of what the text lacks.
@@ -67,8 +68,8 @@ const xml::Element& SphereUrdf::joint(const std::string& name) const {
 }
 
 std::string SphereUrdf::place_of(const xml::Element& element) const {
-    return model_.robot->source.empty() ? fmt::format("robot '{}'", shown(model_.robot->name))
-                                        : fmt::format("{}:{}", model_.robot->file.string(), element.line);
+    return text_ != model_.robot->source ? fmt::format("robot '{}'", shown(model_.robot->name))
+                                         : fmt::format("{}:{}", model_.robot->file.string(), element.line);
 }
 
 std::string SphereUrdf::attribute_text(std::string_view value) const {
@@ -84,8 +85,7 @@ void SphereUrdf::put_elements(const std::vector<LinkSpheres>& links, const UrdfW
         const auto uri_of_hull = [&] {
             return attribute_text(uri_of_beside(names.next(elements.link), mesh_paths, model_, context));
         };
-        editor_.replace_children(element, replaceable(element),
-                                 collision_elements(elements, words, uri_of_hull));
+        editor_.replace_children(element, replaceable(element), collision_elements(elements, words, uri_of_hull));
         replaced_.insert(elements.link);
         capsules = capsules || std::any_of(elements.elements.shaped().begin(), elements.elements.shaped().end(),
                                            [](const Element& e) { return e.kind == Element::Kind::capsule; });
@@ -115,7 +115,7 @@ std::string file_name_of(const SphereModel& model) {
 }
 
 std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
-                                                             const std::map<std::string, std::string>& beside) {
+                                                 const std::map<std::string, std::string>& beside) {
     const auto root = parsed(bytes, "URDF");
     std::map<std::string, Elements> result;
     for (const xml::Element* link : root->children_named("link")) {

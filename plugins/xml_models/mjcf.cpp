@@ -147,8 +147,7 @@ public:
     std::string text() {
         const std::string base = base_link(model_);
         for (const Link& link : model_.robot->links) {
-            if (link.name == world &&
-                (link.name != base || free_ || !elements_[world].empty())) {
+            if (link.name == world && (link.name != base || free_ || !elements_[world].empty())) {
                 throw Error(ErrorCode::output, "write.mjcf: a link is called 'world', which is MuJoCo's own body; "
                                                "remedy: rename the link, unless it is a fixed base without spheres");
             }
@@ -189,8 +188,8 @@ public:
         }
         return text.empty() ? "" : "  <asset>\n" + text + "  </asset>\n";
     }
-    /// Returns the <keyframe> with the rest pose; empty where all joints rest at zero. Call it after text(): qpos has the
-    /// order of the bodies.
+    /// Returns the <keyframe> with the rest pose; empty where all joints rest at zero. Call it after text(): qpos has
+    /// the order of the bodies.
     std::string keyframe() const {
         JointValues values = model_.facts.default_pose;
         values.insert(locked_.begin(), locked_.end());
@@ -211,7 +210,8 @@ public:
                      : "";
     }
     bool has_shaped() const {
-        return std::any_of(elements_.begin(), elements_.end(), [](const auto& link) { return !link.second.are_spheres(); });
+        return std::any_of(elements_.begin(), elements_.end(),
+                           [](const auto& link) { return !link.second.are_spheres(); });
     }
 
 private:
@@ -233,10 +233,11 @@ private:
                 elements_[name].add(moved(*primitive, geometry.origin));
             }
             if (meshes) {
-                context_.log(Severity::warning,
-                             fmt::format("link '{}' has no elements, and its collision meshes are not in the file: without "
-                                         "contact in MuJoCo; remedy: elements for it",
-                                         shown(name)));
+                context_.log(
+                    Severity::warning,
+                    fmt::format("link '{}' has no elements, and its collision meshes are not in the file: without "
+                                "contact in MuJoCo; remedy: elements for it",
+                                shown(name)));
             }
         }
     }
@@ -382,7 +383,7 @@ private:
     Context& context_;
     Kinematics kinematics_;
     bool free_;
-    double density_; ///< kg/m³
+    double density_;                           ///< kg/m³
     std::map<std::string, Elements> elements_; ///< of each link
     MjcfShapes shapes_;
     std::vector<std::string> impossible_; ///< links whose stated inertia no body has
@@ -426,6 +427,14 @@ std::string contact_text(const SphereModel& model) {
     return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
 }
 
+/// Returns the MJCF that the robot was read from; nothing for another robot.
+std::optional<TextFile> own_text(const SphereModel& model) {
+    if (!model.robot || xml::root_name(model.robot->source) != "mujoco") {
+        return {};
+    }
+    return TextFile{model.robot->file, model.robot->source};
+}
+
 } // namespace
 
 MjcfWriter::MjcfWriter(const Parameters& parameters)
@@ -440,6 +449,16 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
         return with_spheres(*model.into, in_known_kinds(elements_by_link(model), known_),
                             {.all_collision = replaces_collision_, .pairs = pairs_, .found = model.ignored_pairs},
                             context);
+    }
+    if (const auto own = own_text(model)) {
+        return with_provenance(with_spheres(*own, in_known_kinds(elements_by_link(model), known_),
+                                            {.all_collision = true,
+                                             .pairs = pairs_,
+                                             .found = model.ignored_pairs,
+                                             .emptied = model.without_collision,
+                                             .folder = model.folder},
+                                            context),
+                               model);
     }
     if (!model.robot || (model.robot->joints.empty() && model.robot->links.size() > 1)) { // names of links, no tree
         require_robot(model, "write.mjcf");
@@ -460,7 +479,7 @@ std::string MjcfWriter::write(const SphereModel& model, Context& context) const 
 }
 
 std::map<std::string, Elements> MjcfWriter::read(const std::string& bytes,
-                                                                      const std::map<std::string, std::string>&) const {
+                                                 const std::map<std::string, std::string>&) const {
     try {
         QuietContext context;
         return elements_of(MjcfReader().read(bytes, "MJCF", context));

@@ -38,8 +38,8 @@ std::string comment_text(std::string_view text);
 /// Writes geoms, and the mesh assets of their hulls.
 class MjcfShapes {
 public:
-    /// `first`: number of the first mesh, whose name is "foam_hull_FIRST".
-    explicit MjcfShapes(std::size_t first = 1) : next_(first) {}
+    /// `first`: number of the first mesh, whose name is "foam_hull_FIRST". `own`: attributes of each mesh.
+    explicit MjcfShapes(std::size_t first = 1, std::string own = "") : next_(first), own_(std::move(own)) {}
 
     /// Returns ` type=… size=… pos=… quat=…`, the attributes of the geom of an element of a kind that MJCF knows.
     std::string attributes(const Element& element);
@@ -48,6 +48,7 @@ public:
 
 private:
     std::size_t next_;
+    std::string own_;
     std::vector<std::string> meshes_;
 };
 
@@ -58,20 +59,36 @@ struct MjcfGeom {
     const xml::Element* geom = nullptr;
     const xml::Element* body = nullptr; ///< or the <worldbody>
     /// The element that states each attribute: itself or the <geom> of a class.
-    std::map<std::string, const xml::Element*, std::less<>> stated;
+    std::map<std::string, const xml::Element*, std::less<>> stated{};
+    std::vector<const xml::Element*> frames{}; ///< the <frame> elements between the body and the geom
+    std::string inherited{};                   ///< the class that holds without `class`
+    bool replicated = false;                   ///< it stands in a <replicate>
+    bool paired = false;                       ///< a <pair> names it
 
     /// Returns the text of an attribute; nullptr if it is stated nowhere.
     const std::string* text(std::string_view attribute) const;
     /// Whether it is a sphere: a geom without type is one, unless a mesh says otherwise.
     bool sphere() const;
-    bool collides() const; ///< contype or conaffinity is not 0
+    bool has_contact() const; ///< contype or conaffinity is not 0
+    bool collides() const;    ///< it has contact, or a <pair> names it
+    bool is_ground() const;   ///< a plane or a height field, which no elements cover
 };
 
-/// Returns the geoms in the order of the file. Throws Error(input) for a default class that does not exist.
+/// Returns the geoms in the order of the file, without those of bodies that <replicate> copies. Throws Error(input) for
+/// a default class that does not exist.
 std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file);
 
-/// Returns the name of a body: "world" for the <worldbody>, "" for one without a name.
-std::string name_of_body(const xml::Element& body);
+/// Returns the bodies by the names of their links: "world" for each <worldbody>, "body_N" for one without a name, where
+/// N is its number in MuJoCo. Those that <replicate> copies are left out.
+std::multimap<std::string, const xml::Element*> bodies_of(const xml::Element& root);
+
+/// Returns the MJCF with the files that it includes in place of their <include>, where they hold geoms or what has an
+/// effect on geoms: bodies, classes and <compiler>. Others stay included. Throws Error(input) for one that is not
+/// found.
+std::string with_included(const TextFile& file);
+
+/// Puts the folder of the input, as seen from that of the output, before the paths of an MJCF: `from_output`.
+void move_paths(xml::Editor& editor, const xml::Element& root, const std::string& from_output);
 
 /// Makes elements of geoms as MuJoCo's compiler does.
 class MjcfElements {
@@ -84,7 +101,11 @@ public:
 
 private:
     std::vector<double> numbers(const MjcfGeom& geom, std::string_view attribute, std::size_t least) const;
-    Pose pose_of(const MjcfGeom& geom) const;
+    /// Returns the element in the frame of the innermost <frame> around the geom.
+    std::optional<Element> element_in_frame(const MjcfGeom& geom, std::string& why) const;
+    Pose pose_in_frame(const MjcfGeom& geom) const;
+    /// Returns the pose of that frame in the body's.
+    Pose frame_of(const MjcfGeom& geom) const;
     std::optional<Element> between(const MjcfGeom& geom, Element element) const;
     std::optional<Element> hull_of_mesh(const std::string& name, std::string& why) const;
 
@@ -98,10 +119,14 @@ struct MjcfReplacement {
     bool all_collision = false;                         ///< also other geoms with contact than spheres
     PairEdit pairs = PairEdit::keep;                    ///< what happens to the <exclude> elements
     std::optional<std::vector<IgnoredPair>> found = {}; ///< SphereModel::ignored_pairs
+    std::vector<std::string> emptied = {};              ///< links whose geoms with contact go without elements
+    std::filesystem::path folder = {};                  ///< of the file that is written; empty: paths stay
 };
 
 /// Returns the file with the spheres of the bodies called like the links replaced; every other byte stays. New geoms
-/// take over the class of the first one that they replace. Throws Error(input) if the file is not MJCF or lacks a body.
+/// take over the class and the settings of contact of the first one that they replace. Geoms that give their body its
+/// mass, or that others than <pair> name, stay without contact. Throws Error(input) if the file is not MJCF or lacks a
+/// body.
 std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& links, const MjcfReplacement& what,
                          Context& context);
 
@@ -112,8 +137,8 @@ class MjcfWriter final : public Writer {
 public:
     explicit MjcfWriter(const Parameters& parameters);
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, Elements>
-    read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override;
+    std::map<std::string, Elements> read(const std::string& bytes,
+                                         const std::map<std::string, std::string>& beside) const override;
 
 private:
     KnownKinds known_;
@@ -133,7 +158,8 @@ class SrdfWriter final : public Writer {
 public:
     explicit SrdfWriter(const Parameters& parameters);
     std::string write(const SphereModel& model, Context& context) const override;
-    std::map<std::string, Elements> read(const std::string& bytes, const std::map<std::string, std::string>&) const override;
+    std::map<std::string, Elements> read(const std::string& bytes,
+                                         const std::map<std::string, std::string>&) const override;
 
 private:
     PairEdit pairs_; ///< in a file of the user

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <set>
@@ -17,21 +18,26 @@ namespace {
 class MjcfEdit {
 public:
     MjcfEdit(const TextFile& into, const MjcfReplacement& what, Context& context)
-        : file_(into.file.string()), what_(what), context_(context),
-          root_(xml::parse(into.text, file_, ErrorCode::input)), editor_(into.text), shapes_(next_number(*root_)) {
+        : file_(into.file.string()), what_(what), context_(context), text_(text_of(into)),
+          root_(xml::parse(text_, file_, ErrorCode::input)), editor_(text_),
+          shapes_(next_number(*root_), mesh_settings(*root_)),
+          inertia_from_geoms_(stated_of_compiler("inertiafromgeom")), bodies_(bodies_of(*root_)) {
         if (root_->name != "mujoco" || root_->self_closing()) {
             throw Error(ErrorCode::input, fmt::format("{}:{}: <{}> is not the <mujoco> of an MJCF file", file_,
                                                       root_->line, root_->name));
-        }
-        for (const xml::Element* world : root_->children_named("worldbody")) {
-            add_bodies(*world);
         }
         for (const MjcfGeom& geom : geoms_of(*root_, file_)) {
             geoms_[geom.body].push_back(geom);
         }
     }
 
-    void put(const std::vector<LinkSpheres>& links) {
+    void put(std::vector<LinkSpheres> links) {
+        for (const std::string& link : what_.emptied) {
+            if (bodies_.contains(link)) {
+                links.push_back({link, {}});
+            }
+        }
+        add_uses(*root_);
         for (const LinkSpheres& link : links) {
             put(link, body_of(link.link));
         }
@@ -43,12 +49,17 @@ public:
                                      others_, others_ == 1 ? "" : "s", others_ == 1 ? "is" : "are",
                                      others_ == 1 ? "" : "s", others_ == 1 ? "s" : ""));
         }
-        if (!weighed_by_spheres_.empty()) {
-            context_.log(Severity::warning,
-                         fmt::format("these bodies have no <inertial>, so MuJoCo takes their mass from their geoms, "
-                                     "where overlaps of spheres count twice: {}",
-                                     fmt::join(weighed_by_spheres_, ", ")));
+        warn_of_kept();
+    }
+
+    /// Makes the paths lead from the folder of the output.
+    void put_paths() {
+        const std::filesystem::path own = std::filesystem::absolute(file_).parent_path().lexically_normal();
+        if (what_.folder.empty() || what_.folder.lexically_normal() == own) {
+            return;
         }
+        const std::filesystem::path relative = own.lexically_relative(what_.folder.lexically_normal());
+        move_paths(editor_, *root_, (relative.empty() ? own : relative).generic_string());
     }
 
     void put_pairs() {
@@ -152,69 +163,240 @@ private:
         return next;
     }
 
-    void add_bodies(const xml::Element& parent) {
-        for (const xml::Element* body : parent.children_named("body")) {
-            if (const std::string* name = body->attribute("name")) {
-                bodies_[*name] = body;
-            }
-            add_bodies(*body);
+    /// Returns what the last <compiler> that states an attribute says; empty if none does.
+    std::string stated_of_compiler(const char* attribute) const {
+        std::string stated;
+        for (const xml::Element* compiler : root_->children_named("compiler")) {
+            stated = compiler->attribute(attribute) ? *compiler->attribute(attribute) : stated;
         }
+        return stated;
+    }
+
+    /// Returns the attributes that a mesh of foam states where the classes say something else.
+    static std::string mesh_settings(const xml::Element& root) {
+        std::string text;
+        for (const xml::Element* defaults : root.children_named("default")) {
+            const xml::Element* mesh = defaults->child("mesh");
+            text = mesh && mesh->attribute("scale") ? attribute_text("scale", "1 1 1") : text;
+        }
+        return text;
+    }
+
+    /// Returns the text to edit. One that is no MJCF stays as it is, for the constructor to refuse.
+    static std::string text_of(const TextFile& into) {
+        return into.text.find("<include") == into.text.npos ? into.text : with_included(into);
     }
 
     const xml::Element& body_of(const std::string& link) const {
         const auto found = bodies_.find(link);
-        if (found == bodies_.end()) {
-            std::vector<std::string> names;
-            for (const auto& [name, body] : bodies_) {
-                names.push_back(name);
-            }
-            const std::string near = nearest_word(link, names);
-            throw Error(ErrorCode::input,
-                        fmt::format("{}: there is no body '{}' for the link of that name{}; remedy: "
-                                    "rename the body, or leave the link out",
-                                    file_, shown(link),
-                                    near.empty() ? "" : fmt::format(" (there is '{}')", shown(near))));
+        if (found != bodies_.end()) {
+            return *found->second;
         }
-        return *found->second;
+        const xml::Element* copier = copier_below(*root_);
+        if (copier) {
+            throw Error(ErrorCode::input,
+                        fmt::format("{}:{}: there is no body '{}' in the text: <{}> makes it; remedy: let MuJoCo write "
+                                    "the bodies out, by mujoco.mj_saveLastXML(), or skip the link",
+                                    file_, copier->line, shown(link), copier->name));
+        }
+        std::vector<std::string> names;
+        for (const auto& [name, body] : bodies_) {
+            names.push_back(name);
+        }
+        const std::string near = nearest_word(link, names);
+        throw Error(ErrorCode::input,
+                    fmt::format("{}: there is no body '{}' for the link of that name{}; remedy: "
+                                "rename the body, or leave the link out",
+                                file_, shown(link), near.empty() ? "" : fmt::format(" (there is '{}')", shown(near))));
+    }
+
+    /// Returns the first element that makes bodies which are not in the text; nullptr if there is none.
+    static const xml::Element* copier_below(const xml::Element& element) {
+        for (const auto& child : element.children) {
+            const xml::Element* found =
+                child->name == "replicate" || child->name == "attach" ? child.get() : copier_below(*child);
+            if (found) {
+                return found;
+            }
+        }
+        return nullptr;
+    }
+
+    /// Returns the geoms of a body that the elements replace; last those that touch in a <pair> alone.
+    std::vector<const MjcfGeom*> replaced_in(const std::string& link) {
+        std::vector<const MjcfGeom*> old;
+        for (auto [it, end] = bodies_.equal_range(link); it != end; ++it) {
+            for (const MjcfGeom& geom : geoms_[it->second]) {
+                if (geom.collides() && !geom.is_ground() && (geom.sphere() || what_.all_collision)) {
+                    old.push_back(&geom);
+                } else if (geom.collides() && !geom.is_ground()) {
+                    ++others_;
+                }
+            }
+        }
+        std::ranges::stable_partition(old, [](const MjcfGeom* geom) { return geom->has_contact(); });
+        return old;
     }
 
     void put(const LinkSpheres& link, const xml::Element& body) {
-        std::vector<const xml::Element*> old;
-        for (const MjcfGeom& geom : geoms_[&body]) {
-            if (geom.collides() && (geom.sphere() || what_.all_collision)) {
-                old.push_back(geom.geom);
-                replaced_.insert(geom.geom);
-            } else if (geom.collides()) {
-                ++others_;
-            }
-        }
-        const bool weighed = body.child("inertial") != nullptr;
-        if (!weighed) {
-            weighed_by_spheres_.push_back(shown(link.link));
-        }
-        const std::string* own_class = old.empty() ? nullptr : old.front()->attribute("class");
-        const std::string kind = "<geom" + name_of_one(old, link.elements.size()) +
-                                 (own_class ? attribute_text("class", *own_class) : std::string());
-        const std::string end = std::string(own_class ? "" : R"( group="3" contype="1" conaffinity="1")") +
-                                (weighed ? attribute_text("mass", "0") : "");
+        const std::vector<const MjcfGeom*> old = replaced_in(link.link);
+        const std::string name = name_of_one(old, link.elements.size());
+        const std::string settings = settings_of(old, link.link);
         std::vector<std::string> geoms;
+        const std::string begin = "<geom" + name + class_of(old);
         for (const Sphere& s : link.elements.spheres()) {
-            geoms.push_back(kind + attribute_text("type", "sphere") + end +
+            geoms.push_back(begin + attribute_text("type", "sphere") + settings +
                             attribute_text("pos", vector_text(s.center)) +
                             attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
         }
         for (const Element& element : link.elements.shaped()) {
-            geoms.push_back(kind + end + shapes_.attributes(element) + "/>");
+            const std::string shape = shapes_.attributes(element);
+            const bool turned = std::ranges::any_of(old, [](const MjcfGeom* geom) { return geom->text("quat"); });
+            geoms.push_back(begin + settings + shape +
+                            (turned && shape.find(" quat=") == shape.npos ? attribute_text("quat", "1 0 0 0") : "") +
+                            "/>");
         }
-        editor_.replace_children(body, old, geoms);
+        put(geoms, old, body, !name.empty());
     }
 
-    /// Returns ` name=…` where one geom replaces one, so that what names it finds it. The names of others are lost.
-    std::string name_of_one(const std::vector<const xml::Element*>& old, std::size_t count) {
+    /// Puts new geoms in place of old ones. `renamed`: they take the name.
+    void put(const std::vector<std::string>& geoms, const std::vector<const MjcfGeom*>& old, const xml::Element& body,
+             bool renamed) {
+        std::vector<const xml::Element*> removed;
+        const xml::Element* kept = nullptr;
+        for (const MjcfGeom* geom : old) {
+            const bool own = geom->frames.empty() && geom->body == &body;
+            if (stays(*geom, renamed)) {
+                kept = own && !kept ? geom->geom : kept;
+                continue;
+            }
+            replaced_.insert(geom->geom);
+            if (own) {
+                removed.push_back(geom->geom);
+            } else {
+                editor_.remove(*geom->geom);
+            }
+        }
+        if (removed.empty() && kept) {
+            const std::string separator = separator_before(*kept);
+            std::string text;
+            for (const std::string& geom : geoms) {
+                text += separator + geom;
+            }
+            editor_.replace({kept->span.end, kept->span.end}, text);
+        } else {
+            editor_.replace_children(body, removed, geoms);
+        }
+        for (const MjcfGeom* geom : old) {
+            if (!replaced_.contains(geom->geom)) {
+                switch_off(*geom, renamed);
+            }
+        }
+    }
+
+    /// Returns the line end and the blanks before an element; nothing if it has no line of its own.
+    std::string separator_before(const xml::Element& element) const {
+        const std::size_t line = text_.find_last_not_of(" \t", element.span.begin - 1);
+        if (line == text_.npos || text_[line] != '\n') {
+            return "";
+        }
+        const std::size_t begin = line > 0 && text_[line - 1] == '\r' ? line - 1 : line;
+        return text_.substr(begin, element.span.begin - begin);
+    }
+
+    /// Returns whether MuJoCo makes the mass of the geom's body of it.
+    bool weighs(const MjcfGeom& geom) const {
+        const auto is_zero = [&](const char* attribute) {
+            const std::string* text = geom.text(attribute);
+            return text && parse_number(*text) == 0.0;
+        };
+        if (geom.body->name == "worldbody" || inertia_from_geoms_ == "false" ||
+            (inertia_from_geoms_ != "true" && geom.body->child("inertial"))) {
+            return false;
+        }
+        return geom.text("mass") ? !is_zero("mass") : !is_zero("density");
+    }
+
+    /// Returns whether the geom stays, without contact: for the mass of its body, for the forces of a fluid, or for
+    /// those that name it.
+    bool stays(const MjcfGeom& geom, bool renamed) const {
+        const std::string* name = geom.geom->attribute("name");
+        return weighs(geom) || geom.text("fluidshape") || (name && !renamed && used_.contains(*name));
+    }
+
+    /// Takes the contact of a geom that stays.
+    void switch_off(const MjcfGeom& geom, bool renamed) {
+        for (const char* attribute : {"contype", "conaffinity"}) {
+            const std::string* text = geom.text(attribute);
+            if (!text || *text != "0") {
+                editor_.set_attribute(*geom.geom, attribute, "0");
+            }
+        }
+        const std::string* name = geom.geom->attribute("name");
+        if (name && renamed) { // after what is put before the first attribute
+            const xml::Span value = geom.geom->attribute_span("name", text_);
+            const std::size_t key = text_.rfind("name", value.begin - 1);
+            const std::size_t begin = text_.find_last_not_of(" \t\r\n", key - 1) + 1;
+            editor_.replace({begin, value.end + 1}, "");
+        } else if (name && used_.contains(*name)) {
+            measured_.push_back(shown(*name));
+        }
+    }
+
+    void warn_of_kept() const {
+        if (!measured_.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("{}: sensors, tendons or tuples name geoms that are replaced by several; these "
+                                     "stay without contact, and are what they still refer to: {}",
+                                     file_, fmt::join(measured_, ", ")));
+        }
+    }
+
+    /// Returns ` class=…` of the first geom, or the class that holds where it stands, if that is in a frame.
+    static std::string class_of(const std::vector<const MjcfGeom*>& old) {
+        if (old.empty()) {
+            return "";
+        }
+        const MjcfGeom& first = *old.front();
+        const std::string* own = first.geom->attribute("class");
+        return own                                                 ? attribute_text("class", *own)
+               : !first.frames.empty() && !first.inherited.empty() ? attribute_text("class", first.inherited)
+                                                                   : "";
+    }
+
+    /// Returns the attributes of new geoms that are not their shape: those that the first old one states itself. They
+    /// weigh nothing.
+    std::string settings_of(const std::vector<const MjcfGeom*>& old, const std::string& link) const {
+        static constexpr std::array taken{"contype", "conaffinity", "condim", "group", "priority", "friction", "solmix",
+                                          "solref",  "solimp",      "margin", "gap",   "material", "rgba"};
+        static constexpr std::size_t seen_only = 2; // the last ones have no effect on contacts
+        std::string text;
+        std::set<std::string> differing;
+        for (std::size_t i = 0; i < taken.size() && !old.empty(); ++i) {
+            const std::string* value = old.front()->geom->attribute(taken[i]);
+            text += value ? attribute_text(taken[i], *value) : "";
+            for (const MjcfGeom* geom : old) {
+                const std::string *first = old.front()->text(taken[i]), *other = geom->text(taken[i]);
+                if (i + seen_only < taken.size() && (first ? *first : "") != (other ? *other : "")) {
+                    differing.insert(taken[i]);
+                }
+            }
+        }
+        if (!differing.empty()) {
+            context_.log(Severity::warning,
+                         fmt::format("{}:{}: the geoms of '{}' differ in {}; the new ones take what the first has",
+                                     file_, old.front()->geom->line, shown(link), fmt::join(differing, ", ")));
+        }
+        return (old.empty() ? R"( group="3" contype="1" conaffinity="1")" : text) + attribute_text("mass", "0");
+    }
+
+    /// Returns ` name=…` where one geom replaces one, so that what names it finds it: for contacts, or where nothing in
+    /// the file names it. The names of others are lost for contacts.
+    std::string name_of_one(const std::vector<const MjcfGeom*>& old, std::size_t count) {
         const bool alone = old.size() == 1 && count == 1;
         std::string text;
-        for (const xml::Element* geom : old) {
-            if (const std::string* name = geom->attribute("name"); name && alone) {
+        for (const MjcfGeom* geom : old) {
+            if (const std::string* name = geom->geom->attribute("name"); name && alone && !geom->replicated) {
                 text = attribute_text("name", *name);
             } else if (name) {
                 lost_names_.insert(*name);
@@ -223,43 +405,56 @@ private:
         return text;
     }
 
-    /// Throws if an element names a geom whose name is lost.
+    /// Throws if a contact names a geom that several replace.
     void require_known_names() const {
-        std::vector<Naming> found;
-        add_naming(*root_, found);
+        std::vector<const xml::Element*> found;
+        add_contacts(*root_, found);
         if (!found.empty()) {
-            const auto& [element, attribute] = found.front();
+            const xml::Element& element = *found.front();
+            const char* attribute = is_lost(element, "geom1") ? "geom1" : "geom2";
             std::vector<int> others;
-            for (const Naming& other : found) {
-                if (other.element->line != (others.empty() ? element->line : others.back())) {
-                    others.push_back(other.element->line);
+            for (const xml::Element* other : found) {
+                if (other->line != (others.empty() ? element.line : others.back())) {
+                    others.push_back(other->line);
                 }
             }
-            throw Error(
-                ErrorCode::input,
-                fmt::format("{}:{}: <{} {}=\"{}\"> names a geom that is replaced by others without names, so "
-                            "MuJoCo would refuse the file{}; remedy: remove <{}>, or keep the geom by "
-                            "contype=\"0\" conaffinity=\"0\"",
-                            file_, element->line, element->name, attribute, shown(*element->attribute(attribute)),
-                            others.empty() ? ""
-                                           : fmt::format(" (so do{} {})", others.size() == 1 ? "es line" : " lines",
-                                                         fmt::join(others, ", ")),
-                            element->name));
+            throw Error(ErrorCode::input,
+                        fmt::format("{}:{}: <{} {}=\"{}\"> names a geom that several others replace{}; remedy: remove "
+                                    "<{}>, skip the link, or allow one element for it",
+                                    file_, element.line, element.name, attribute, shown(*element.attribute(attribute)),
+                                    others.empty()
+                                        ? ""
+                                        : fmt::format(" (so do{} {})", others.size() == 1 ? "es line" : " lines",
+                                                      fmt::join(others, ", ")),
+                                    element.name));
         }
         warn_of_included(*root_);
     }
 
-    struct Naming {
-        const xml::Element* element = nullptr;
-        const char* attribute = nullptr;
-    };
+    bool is_lost(const xml::Element& element, const char* attribute) const {
+        const std::string* name = element.attribute(attribute);
+        return name && lost_names_.contains(*name);
+    }
 
-    /// Adds the elements that name lost geoms: pairs, sensors, tendons, tuples. All use these few attributes.
-    void add_naming(const xml::Element& element, std::vector<Naming>& found) const {
+    /// Whether an element is about contacts of geoms.
+    static bool is_contact(const xml::Element& element) { return element.name == "pair" || element.name == "contact"; }
+
+    /// Adds the elements that are about contacts of lost geoms.
+    void add_contacts(const xml::Element& element, std::vector<const xml::Element*>& found) const {
+        if (is_contact(element) && (is_lost(element, "geom1") || is_lost(element, "geom2"))) {
+            found.push_back(&element);
+        }
+        for (const auto& child : element.children) {
+            add_contacts(*child, found);
+        }
+    }
+
+    /// Adds the names of geoms that sensors, tendons and tuples state. All use these few attributes.
+    void add_uses(const xml::Element& element) {
         const auto add = [&](const char* attribute, const char* type) {
             const std::string *name = element.attribute(attribute), *of = type ? element.attribute(type) : nullptr;
-            if (name && lost_names_.contains(*name) && (!type || (of && *of == "geom"))) {
-                found.push_back({&element, attribute});
+            if (name && !is_contact(element) && (!type || (of && *of == "geom"))) {
+                used_.insert(*name);
             }
         };
         add("geom", nullptr);
@@ -268,7 +463,7 @@ private:
         add("objname", "objtype");
         add("refname", "reftype");
         for (const auto& child : element.children) {
-            add_naming(*child, found);
+            add_uses(*child);
         }
     }
 
@@ -291,13 +486,16 @@ private:
     std::string file_;
     const MjcfReplacement& what_;
     Context& context_;
+    std::string text_; ///< with the files that have to be in it
     std::unique_ptr<const xml::Element> root_;
     xml::Editor editor_;
-    std::map<std::string, const xml::Element*> bodies_;
+    MjcfShapes shapes_;
+    std::string inertia_from_geoms_; ///< what <compiler> says of it
+    std::multimap<std::string, const xml::Element*> bodies_;
     std::map<const xml::Element*, std::vector<MjcfGeom>> geoms_;
     std::size_t others_ = 0;
-    std::vector<std::string> weighed_by_spheres_;
-    MjcfShapes shapes_;
+    std::set<std::string> used_;             ///< names of geoms that sensors, tendons and tuples state
+    std::vector<std::string> measured_;      ///< those that stay for them
     std::set<const xml::Element*> replaced_; ///< geoms
     std::set<std::string> lost_names_;       ///< of geoms
 };
@@ -310,6 +508,7 @@ std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& l
     edit.put(links);
     edit.put_meshes();
     edit.put_pairs();
+    edit.put_paths();
     return edit.result();
 }
 

@@ -73,7 +73,7 @@ std::vector<double> MjcfElements::numbers(const MjcfGeom& geom, std::string_view
     return values;
 }
 
-Pose MjcfElements::pose_of(const MjcfGeom& geom) const {
+Pose MjcfElements::pose_in_frame(const MjcfGeom& geom) const {
     const double unit = degrees_ ? std::numbers::pi / 180 : 1;
     Pose pose;
     // MuJoCo lets a later one of these win over quat, and refuses two of them.
@@ -108,6 +108,30 @@ Pose MjcfElements::pose_of(const MjcfGeom& geom) const {
     return pose;
 }
 
+Pose MjcfElements::frame_of(const MjcfGeom& geom) const {
+    Pose pose;
+    for (const xml::Element* frame : geom.frames) {
+        MjcfGeom stated{.geom = frame, .body = geom.body};
+        for (const auto& [key, value] : frame->attributes) {
+            stated.stated[key] = frame;
+        }
+        pose = pose * pose_in_frame(stated);
+    }
+    return pose;
+}
+
+std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::string& why) const {
+    if (geom.replicated) {
+        why = "copied by <replicate>";
+        return {};
+    }
+    auto element = element_in_frame(geom, why);
+    if (element && !geom.frames.empty()) {
+        element->pose = frame_of(geom) * element->pose;
+    }
+    return element;
+}
+
 /// Returns the element between two points that `fromto` states.
 std::optional<Element> MjcfElements::between(const MjcfGeom& geom, Element element) const {
     const std::vector<double> v = numbers(geom, "fromto", 6);
@@ -118,14 +142,14 @@ std::optional<Element> MjcfElements::between(const MjcfGeom& geom, Element eleme
     return element;
 }
 
-std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::string& why) const {
+std::optional<Element> MjcfElements::element_in_frame(const MjcfGeom& geom, std::string& why) const {
     const std::string* given = geom.text("type");
     const std::string type = given ? *given : geom.geom->attribute("mesh") ? "mesh" : "sphere";
     if (type == "mesh") {
         const std::string* mesh = geom.text("mesh");
         auto element = mesh ? hull_of_mesh(*mesh, why) : std::nullopt;
         if (element) {
-            const Pose place = pose_of(geom);
+            const Pose place = pose_in_frame(geom);
             element->pose = place;
         }
         return element;
@@ -136,7 +160,7 @@ std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::strin
     }
     if (type == "sphere") {
         return Element{.kind = Kind::sphere,
-                       .pose = {.translation = pose_of(geom).translation},
+                       .pose = {.translation = pose_in_frame(geom).translation},
                        .radius = numbers(geom, "size", 1)[0]};
     }
     const bool is_capsule = type == "capsule";
@@ -146,7 +170,7 @@ std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::strin
             return between(geom, element);
         }
         element.half.z = numbers(geom, "size", 2)[1];
-        element.pose = pose_of(geom);
+        element.pose = pose_in_frame(geom);
         return element;
     }
     if (type == "box" || type == "ellipsoid") {
@@ -157,7 +181,7 @@ std::optional<Element> MjcfElements::element_of(const MjcfGeom& geom, std::strin
         }
         const std::vector<double> half = numbers(geom, "size", 3);
         element.half = {half[0], half[1], half[2]};
-        element.pose = pose_of(geom);
+        element.pose = pose_in_frame(geom);
         return element;
     }
     why = shown(type);

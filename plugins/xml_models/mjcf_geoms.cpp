@@ -1,12 +1,14 @@
 #include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/mesh.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -23,21 +25,38 @@ void take(GeomClass& attributes, const xml::Element& geom) {
     }
 }
 
+/// Adds the names of the geoms of the <pair> elements.
+std::set<std::string> paired_names(const xml::Element& root) {
+    std::set<std::string> names;
+    for (const xml::Element* contact : root.children_named("contact")) {
+        for (const xml::Element* pair : contact->children_named("pair")) {
+            for (const char* key : {"geom1", "geom2"}) {
+                if (const std::string* name = pair->attribute(key)) {
+                    names.insert(*name);
+                }
+            }
+        }
+    }
+    return names;
+}
+
 class GeomWalk {
 public:
-    GeomWalk(const xml::Element& root, const std::string& file) : file_(file) {
-        if (const xml::Element* defaults = root.child("default")) {
-            add_classes(*defaults, {}, true);
+    GeomWalk(const xml::Element& root, const std::string& file) : file_(file), paired_(paired_names(root)) {
+        GeomClass main;
+        for (const xml::Element* defaults : root.children_named("default")) {
+            main = add_classes(*defaults, main, true);
         }
         for (const xml::Element* world : root.children_named("worldbody")) {
-            walk(*world, "");
+            walk(*world, {.geom = nullptr, .body = world});
         }
     }
 
     std::vector<MjcfGeom> geoms;
 
 private:
-    void add_classes(const xml::Element& element, GeomClass own, bool top) {
+    /// Returns the attributes of the class itself.
+    GeomClass add_classes(const xml::Element& element, GeomClass own, bool top) {
         if (const xml::Element* geom = element.child("geom")) {
             take(own, *geom);
         }
@@ -49,6 +68,7 @@ private:
         for (const xml::Element* child : element.children_named("default")) {
             add_classes(*child, own, false);
         }
+        return own;
     }
 
     GeomClass class_of(const xml::Element& geom, const std::string& inherited) const {
@@ -62,23 +82,58 @@ private:
         return found == classes_.end() ? GeomClass{} : found->second;
     }
 
-    void walk(const xml::Element& body, const std::string& inherited) {
-        const std::string* childclass = body.attribute("childclass");
-        const std::string& own = childclass ? *childclass : inherited;
-        for (const auto& child : body.children) {
+    /// Adds the geoms below an element. `place`: what holds there.
+    void walk(const xml::Element& parent, MjcfGeom place) {
+        const std::string* childclass = parent.attribute("childclass");
+        place.inherited = childclass && !childclass->empty() ? *childclass : place.inherited;
+        for (const auto& child : parent.children) {
+            MjcfGeom inner = place;
             if (child->name == "geom") {
-                GeomClass attributes = class_of(*child, own);
-                take(attributes, *child);
-                geoms.push_back({child.get(), &body, std::move(attributes)});
-            } else if (child->name == "body") {
-                walk(*child, own);
+                const std::string* name = child->attribute("name");
+                inner.geom = child.get();
+                inner.stated = class_of(*child, place.inherited);
+                take(inner.stated, *child);
+                inner.paired = name && paired_.contains(*name);
+                geoms.push_back(std::move(inner));
+            } else if (child->name == "body" && !place.replicated) {
+                inner.body = child.get();
+                inner.frames.clear();
+                walk(*child, std::move(inner));
+            } else if (child->name == "frame" || child->name == "replicate") {
+                inner.replicated |= child->name == "replicate";
+                inner.frames.push_back(child.get());
+                walk(*child, std::move(inner));
             }
         }
     }
 
     const std::string& file_;
+    std::set<std::string> paired_;
     std::map<std::string, GeomClass> classes_;
 };
+
+/// Adds the bodies below an element. Returns how many there are in MuJoCo, `number` included.
+std::size_t add_bodies_below(const xml::Element& parent, std::size_t number, bool copied,
+                             std::multimap<std::string, const xml::Element*>& bodies) {
+    for (const auto& child : parent.children) {
+        if (child->name == "frame") {
+            number = add_bodies_below(*child, number, copied, bodies);
+        } else if (child->name == "replicate") {
+            const std::string* count = child->attribute("count");
+            const double copies = count ? parse_number(*count).value_or(1) : 1;
+            const std::size_t inside = add_bodies_below(*child, 0, true, bodies);
+            number += inside * static_cast<std::size_t>(std::clamp(copies, 1.0, 1e6));
+        } else if (child->name == "body") {
+            const std::string* name = child->attribute("name");
+            ++number;
+            if (!copied) {
+                bodies.emplace(name && !name->empty() ? *name : "body_" + std::to_string(number), child.get());
+            }
+            number = add_bodies_below(*child, number, copied, bodies);
+        }
+    }
+    return number;
+}
 
 } // namespace
 
@@ -93,17 +148,31 @@ bool MjcfGeom::sphere() const {
 }
 
 bool MjcfGeom::collides() const {
+    return paired || has_contact();
+}
+
+bool MjcfGeom::has_contact() const {
     const std::string *contype = text("contype"), *conaffinity = text("conaffinity");
     return !contype || *contype != "0" || !conaffinity || *conaffinity != "0";
+}
+
+bool MjcfGeom::is_ground() const {
+    const std::string* type = text("type");
+    return type && (*type == "plane" || *type == "hfield");
 }
 
 std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file) {
     return GeomWalk(root, file).geoms;
 }
 
-std::string name_of_body(const xml::Element& body) {
-    const std::string* name = body.attribute("name");
-    return name ? *name : body.name == "worldbody" ? "world" : "";
+std::multimap<std::string, const xml::Element*> bodies_of(const xml::Element& root) {
+    std::multimap<std::string, const xml::Element*> bodies;
+    std::size_t number = 0;
+    for (const xml::Element* world : root.children_named("worldbody")) {
+        bodies.emplace("world", world);
+        number = add_bodies_below(*world, number, false, bodies);
+    }
+    return bodies;
 }
 
 namespace {
@@ -134,7 +203,7 @@ std::string MjcfShapes::attributes(const Element& element) {
         for (const Vec3& p : element.hull->surface.vertices) {
             corners += (corners.empty() ? "" : " ") + vector_text(p);
         }
-        meshes_.push_back("<mesh" + attribute_text("name", name) + attribute_text("vertex", corners) + "/>");
+        meshes_.push_back("<mesh" + attribute_text("name", name) + own_ + attribute_text("vertex", corners) + "/>");
         return attribute_text("type", "mesh") + attribute_text("mesh", name) +
                attribute_text("pos", vector_text(element.pose.translation));
     }
@@ -161,6 +230,10 @@ SphereFile MjcfReader::read(const std::string& text, const std::filesystem::path
                     fmt::format("{}:{}: <{}> is not <mujoco>", file.string(), root->line, root->name));
     }
     const MjcfElements elements(*root, file);
+    std::map<const xml::Element*, std::string> names;
+    for (const auto& [name, body] : bodies_of(*root)) {
+        names.emplace(body, name);
+    }
     std::size_t others = 0, visual = 0;
     std::set<std::string> reasons;
     for (const MjcfGeom& geom : geoms_of(*root, file.string())) {
@@ -168,7 +241,7 @@ SphereFile MjcfReader::read(const std::string& text, const std::filesystem::path
         if (!geom.collides()) {
             ++visual;
         } else if (const auto element = elements.element_of(geom, why)) {
-            link_of(result, name_of_body(*geom.body)).elements.add(*element);
+            link_of(result, names.at(geom.body)).elements.add(*element);
         } else {
             ++others;
             reasons.insert(why);

@@ -188,7 +188,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                         Parameter::boolean("collision", false)
                             .doc("With 'into': also replace geoms with contact that are no spheres."),
                         foam::pairs_parameter()},
-         .extensions = {"mjcf"},
+         .extensions = {"xml", "mjcf"},
          .kinds = foam::every_kind(),
          .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",

@@ -259,7 +259,7 @@ TEST_F(CliConvert, MassesComeFromTheGeometry) {
     EXPECT_THAT(outcome.err,
                 HasSubstr("note: <inertial> of the collision geometry at 1000 kg/m³ is written for upper\n"));
     EXPECT_THAT(contents(path() / "heavy.urdf"), HasSubstr("<mass value=\"33.510321638291")) << "4/3 π 0.2³ 1000";
-    EXPECT_THAT(written("model.csv arm.urdf --format mjcf --tool-frame tool --lock slide=0", "arm.mjcf"),
+    EXPECT_THAT(written("model.csv arm.urdf --format mjcf --tool-frame tool --lock slide=0", "arm.xml"),
                 HasSubstr("mass=\"33.510321638291"));
 }
 

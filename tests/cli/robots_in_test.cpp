@@ -127,5 +127,35 @@ TEST_F(RobotsIn, Xacro) {
     EXPECT_THAT(foam("check other.yaml").out + foam("check other.yaml").err, HasSubstr("does not end in .xacro"));
 }
 
+TEST_F(RobotsIn, TheOutputOfAnMjcfIsTheSameFile) {
+    const std::string before = R"(<mujoco model="arm">
+  <!-- mine -->
+  <default><geom friction="0.3"/></default>
+  <worldbody>
+    <geom type="plane" size="1 1 1"/>
+    <body name="base"><joint name="turn"/><geom type="box" size="0.1 0.1 0.2"/></body>
+  </worldbody>
+  <actuator><motor joint="turn"/></actuator>
+</mujoco>
+)";
+    write("arm.xml", before);
+    for (const char* command : {"approximate arm.xml -n 2 --with capsule", "spherize arm.xml -n 8 -m octree",
+                                "spherize arm.xml -n 8 -m octree -o arm_spheres.xml --force"}) {
+        const Outcome outcome = foam(command);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("Proved: ")) << command;
+        const std::string after =
+            contents(path() / (std::string(command).starts_with("a") ? "arm_elements.xml" : "arm_spheres.xml"));
+        const std::size_t begin = before.find("<geom type=\"box\""), end = before.find("</body>");
+        EXPECT_EQ(after.substr(0, begin), before.substr(0, begin)) << command;
+        EXPECT_TRUE(after.ends_with(before.substr(end))) << command;
+        EXPECT_THAT(after, HasSubstr(R"(<geom contype="0" conaffinity="0" type="box" size="0.1 0.1 0.2"/>)")) << command;
+    }
+    write("arm.urdf", R"(<robot name="r"><link name="a"><collision><geometry><box size="1 1 1"/></geometry></collision>)"
+                      R"(</link></robot>)");
+    EXPECT_EQ(foam("spherize arm.urdf -n 8 -m octree -o other.xml").code, 0);
+    EXPECT_THAT(contents(path() / "other.xml"), HasSubstr("<mujoco"));
+}
+
 } // namespace
 } // namespace foam::test

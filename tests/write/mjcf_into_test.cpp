@@ -1,10 +1,13 @@
 // write.mjcf with `into`: the user's own file keeps every byte but the spheres, and the pairs on request.
 #include "models.hpp"
 #include "support/read_spheres.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <foam/sdk/stage.hpp>
 
 #include <gmock/gmock.h>
+
+#include <fstream>
 
 namespace foam::test {
 namespace {
@@ -79,14 +82,14 @@ std::string with(std::string text, const std::string& part, const std::string& b
 TEST_F(MjcfInto, KeepsEveryByteButTheSpheresAndThePairs) {
     std::string expected = with(
         theirs, R"(<geom size="0.2" pos="1 0 0"/>)",
-        R"(<geom type="sphere" group="3" contype="1" conaffinity="1" mass="0" pos="0 0 0.3333333333333333" size="0.7999999999999999"/>
-      <geom type="sphere" group="3" contype="1" conaffinity="1" mass="0" pos="1 2 3" size="0.5"/>)");
-    expected = with(expected, R"(<geom size="0.1"/>)",
-                    R"(<geom type="sphere" group="3" contype="1" conaffinity="1" pos="0 0 0" size="0.25"/>)");
+        R"(<geom type="sphere" mass="0" pos="0 0 0.3333333333333333" size="0.7999999999999999"/>
+      <geom type="sphere" mass="0" pos="1 2 3" size="0.5"/>)");
+    expected = with(expected, R"(<geom size="0.1"/>)", R"(<geom contype="0" conaffinity="0" size="0.1"/>
+        <geom type="sphere" mass="0" pos="0 0 0" size="0.25"/>)");
     expected =
         with(expected, R"(<exclude body1="first" body2="camera"/>)", R"(<exclude body1="first" body2="second"/>)");
     const std::map<std::string, ParameterValue> replace{{"pairs", std::string("replace")}};
-    EXPECT_EQ(written(replace), expected) << "a body without <inertial> gets its mass from its geoms";
+    EXPECT_EQ(written(replace), expected) << "a body without <inertial> keeps the geoms that it has its mass from";
     model.into->text = expected;
     EXPECT_EQ(written(replace), expected) << "the second time nothing changes";
 }
@@ -121,9 +124,9 @@ TEST_F(MjcfInto, RefusesAnotherFileAndAMissingBody) {
 
 /// Every place of an MJCF file that names a geom.
 constexpr const char* naming = R"(<mujoco>
-  <worldbody>
+  <worldbody><geom name="seen" type="plane" size="1 1 1"/>
     <body name="first"><geom name="palm" size="0.1"/></body>
-    <body name="second"><geom name="foot" size="0.2"/><geom size="0.1"/><geom name="seen" size="1" contype="0" conaffinity="0"/>
+    <body name="second"><geom name="foot" size="0.2"/><geom size="0.1"/>
       <site name="s"/></body>
   </worldbody>
   <contact><pair geom1="seen" geom2="seen"/></contact>
@@ -135,36 +138,37 @@ std::string naming_by(const std::string& element) {
     return with(naming, "{}", element);
 }
 
-TEST_F(MjcfInto, AnElementThatNamesAReplacedGeomIsRefused) {
+TEST_F(MjcfInto, AContactOfAGeomThatSeveralReplaceIsRefused) {
     const auto refusal = [](const std::string& names, const std::string& element) {
-        return "arm.xml:8: " + names + " names a geom that is replaced by others without names, so MuJoCo would refuse " +
-               "the file; remedy: remove <" + element + R"(>, or keep the geom by contype="0" conaffinity="0")";
+        return "arm.xml:8: " + names + " names a geom that several others replace; remedy: remove <" + element +
+               ">, skip the link, or allow one element for it";
     };
     model.into->text = naming_by(R"(<contact><pair geom1="seen" geom2="foot"/></contact>)");
     EXPECT_EQ(refused(), refusal(R"(<pair geom2="foot">)", "pair"));
     model.into->text = naming_by(R"(<contact><pair geom1="palm" geom2="seen"/></contact>)");
     EXPECT_EQ(refused(), refusal(R"(<pair geom1="palm">)", "pair"));
-    model.into->text = naming_by(R"(<sensor><distance geom1="foot" body2="first"/></sensor>)");
-    EXPECT_EQ(refused(), refusal(R"(<distance geom1="foot">)", "distance")) << "one replaces two";
-    model.into->text = naming_by(R"(<sensor><framepos objtype="geom" objname="foot"/></sensor>)");
-    EXPECT_EQ(refused(), refusal(R"(<framepos objname="foot">)", "framepos"));
-    model.into->text =
-        naming_by(R"(<sensor><framepos objtype="site" objname="s" reftype="geom" refname="foot"/></sensor>)");
-    EXPECT_EQ(refused(), refusal(R"(<framepos refname="foot">)", "framepos"));
-    model.into->text =
-        naming_by(R"(<tendon><spatial><site site="s"/><geom geom="foot"/><site site="s"/></spatial></tendon>)");
-    EXPECT_EQ(refused(), refusal(R"(<geom geom="foot">)", "geom"));
-    model.into->text =
-        naming_by(R"(<custom><tuple name="t"><element objtype="geom" objname="foot"/></tuple></custom>)");
-    EXPECT_EQ(refused(), refusal(R"(<element objname="foot">)", "element"));
+    model.into->text = naming_by(R"(<sensor><contact geom1="foot" body2="first"/></sensor>)");
+    EXPECT_EQ(refused(), refusal(R"(<contact geom1="foot">)", "contact")) << "one replaces two";
+}
+
+TEST_F(MjcfInto, AGeomThatOthersNameStaysWithoutContact) {
+    for (const char* element :
+         {R"(<sensor><framepos objtype="geom" objname="palm"/></sensor>)",
+          R"(<sensor><framepos objtype="site" objname="s" reftype="geom" refname="palm"/></sensor>)",
+          R"(<sensor><distance geom1="palm" body2="second"/></sensor>)",
+          R"(<tendon><spatial><site site="s"/><geom geom="palm"/><site site="s"/></spatial></tendon>)",
+          R"(<custom><tuple name="t"><element objtype="geom" objname="palm"/></tuple></custom>)"}) {
+        model.into->text = with(naming_by(element), R"(<body name="first">)",
+                                R"(<body name="first"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)");
+        EXPECT_THAT(written(), HasSubstr(R"(<geom contype="0" conaffinity="0" name="palm" size="0.1"/>)")) << element;
+    }
 }
 
 TEST_F(MjcfInto, TheOtherLinesThatNameReplacedGeomsAreListed) {
     model.into->text = naming_by("<contact><pair geom1=\"foot\" geom2=\"palm\"/>\n<pair geom1=\"seen\" geom2=\"foot\"/>\n"
                                  "<pair geom1=\"palm\" geom2=\"seen\"/></contact>");
-    EXPECT_EQ(refused(), R"(arm.xml:8: <pair geom1="foot"> names a geom that is replaced by others without names, so )"
-                         R"(MuJoCo would refuse the file (so do lines 9, 10); remedy: remove <pair>, or keep the geom )"
-                         R"(by contype="0" conaffinity="0")");
+    EXPECT_EQ(refused(), R"(arm.xml:8: <pair geom1="foot"> names a geom that several others replace (so do lines 9, 10); )"
+                         R"(remedy: remove <pair>, skip the link, or allow one element for it)");
 }
 
 TEST_F(MjcfInto, OtherObjectsMayHaveTheNameOfAReplacedGeom) {
@@ -176,22 +180,77 @@ TEST_F(MjcfInto, OneThatReplacesOneKeepsItsName) {
     model.into->text = with(theirs, R"(<geom size="0.1"/>)", R"(<geom name="foot" size="0.1"/>)");
     model.into->text = with(model.into->text, "geom2=\"floor\"", "geom2=\"foot\"");
     const std::string text = written();
-    EXPECT_THAT(text, HasSubstr(R"(<geom name="foot" type="sphere" group="3" contype="1" conaffinity="1" pos="0 0 0" size="0.25"/>)"));
+    EXPECT_THAT(text, HasSubstr(R"(<geom contype="0" conaffinity="0" size="0.1"/>
+        <geom name="foot" type="sphere" mass="0" pos="0 0 0" size="0.25"/>)"));
     EXPECT_THAT(text, HasSubstr(R"(<pair geom1="floor" geom2="foot"/>)"));
     model.into->text = text;
     EXPECT_EQ(written(), text) << "the second time nothing changes";
 }
 
-TEST_F(MjcfInto, IncludedFilesAreNotSearchedForTheNamesOfReplacedGeoms) {
-    class Warnings final : public QuietContext {
-    public:
-        void log(Severity, std::string_view message) override { all.emplace_back(message); }
-        std::vector<std::string> all;
-    } context;
-    model.into->text = naming_by(R"(<include file="sensors.xml"/>)");
-    writer("xml_models", "write.mjcf")->write(model, context);
-    EXPECT_THAT(context.all, testing::Contains("arm.xml:8: the file that is included may name geoms that are replaced by "
-                                               "others without names: foot, palm; remedy: remove what names them"));
+TEST_F(MjcfInto, NewGeomsTakeTheSettingsOfContact) {
+    model.into->text = with(theirs, R"(<geom size="0.2" pos="1 0 0"/>)",
+                            R"(<geom size="0.2" pos="1 0 0" friction="0.2 0.1 0.1" condim="6" solref="0.01 1" group="4" )"
+                            R"(rgba="1 0 0 1" contype="2" conaffinity="4"/>)");
+    EXPECT_THAT(written(), HasSubstr(R"(<geom type="sphere" contype="2" conaffinity="4" condim="6" group="4" )"
+                                     R"(friction="0.2 0.1 0.1" solref="0.01 1" rgba="1 0 0 1" mass="0" pos="1 2 3")"));
+}
+
+TEST_F(MjcfInto, GeomsInFramesAndCopiesAreReplaced) {
+    model.into->text = R"(<mujoco>
+  <default><default class="c"><geom friction="0.1"/></default></default>
+  <worldbody>
+    <body name="first">
+      <inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/>
+      <frame pos="1 0 0" childclass="c">
+        <geom size="0.2"/>
+      </frame>
+      <replicate count="3" offset="1 0 0">
+        <geom size="0.3"/>
+      </replicate>
+    </body>
+    <frame pos="0 0 1"><body name="second"/></frame>
+  </worldbody>
+</mujoco>
+)";
+    const std::string text = written();
+    EXPECT_THAT(text, HasSubstr(R"(
+      <frame pos="1 0 0" childclass="c">
+      </frame>
+      <replicate count="3" offset="1 0 0">
+      </replicate>
+      <geom class="c" type="sphere" mass="0")"));
+    auto read = read_spheres(*writer("xml_models", "write.mjcf"), text);
+    EXPECT_EQ(read["first"], model.groups[0].tree.finest());
+    EXPECT_EQ(read["second"], model.groups[1].tree.finest());
+}
+
+TEST_F(MjcfInto, TheRobotsOwnTextIsEditedWithoutInto) {
+    auto robot = std::make_shared<Robot>(*model.robot);
+    robot->file = "/robots/arm.xml";
+    robot->source = with(theirs, R"(<default>)", R"(<asset><mesh name="a" file="a.obj"/></asset><default>)");
+    model.robot = robot;
+    model.into.reset();
+    EXPECT_THAT(written(), HasSubstr(R"(<exclude body1="first" body2="camera"/>)"));
+    EXPECT_THAT(written(), Not(HasSubstr("<geom class=\"hull\" mesh=")));
+    EXPECT_THAT(written(), Not(HasSubstr("<compiler")));
+    model.folder = "/robots/out";
+    EXPECT_THAT(written(), HasSubstr(R"(<compiler meshdir=".."/>)"));
+    model.without_collision = {"camera"};
+    EXPECT_THAT(written(), HasSubstr(R"(<body name="camera"><geom contype="0" conaffinity="0" size="0.03"/></body>)"));
+}
+
+TEST_F(MjcfInto, IncludedFilesWithGeomsAreMerged) {
+    const TemporaryFolder folder;
+    const auto file = [&](const char* name, const char* text) { std::ofstream(folder.path() / name) << text; };
+    file("arms.xml", R"(<mujoco><body name="first"><geom size="0.2" mass="0"/></body><body name="second"/></mujoco>)");
+    file("look.xml", R"(<mujoco><asset/></mujoco>)");
+    model.into = TextFile{folder.path() / "main.xml",
+                          R"(<mujoco><include file="look.xml"/><worldbody><include file="arms.xml"/></worldbody></mujoco>)"};
+    const std::string text = written();
+    EXPECT_THAT(text, HasSubstr(R"(<mujoco><include file="look.xml"/><worldbody><body name="first"><geom type="sphere")"));
+    EXPECT_THAT(text, HasSubstr(R"(</body></worldbody></mujoco>)"));
+    model.into->text = R"(<mujoco><worldbody><include file="none.xml"/></worldbody></mujoco>)";
+    EXPECT_THAT(refused(), HasSubstr("main.xml:1: the file 'none.xml' that is included is not found"));
 }
 
 } // namespace

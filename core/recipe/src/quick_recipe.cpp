@@ -2,10 +2,12 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
+#include <foam/base/internal/files.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/length.hpp>
 #include <foam/recipe/mesh_unit.hpp>
 #include <foam/sdk/kinds.hpp>
+#include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -205,6 +207,18 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
                                                   endings_of(StageKind::mesh_loader, registry)));
     }
     return false;
+}
+
+std::string own_format(const std::filesystem::path& input, const Registry& registry) {
+    const std::string text = read_file(input, most_robot_bytes);
+    for (const auto& [name, stage] : registry.stages()) {
+        const std::string format = name.substr(name.find('.') + 1);
+        if (stage.kind == StageKind::robot_loader && registry.find("write." + format) &&
+            registry.make<RobotLoader>(name)->recognises(text)) {
+            return format;
+        }
+    }
+    return "urdf";
 }
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& method, const std::string& ending,

@@ -60,5 +60,9 @@ void refuse_naming(const std::string& format, const std::filesystem::path& input
 /// Whether the registry can load it as a mesh; otherwise it is taken for a robot. Throws Error(usage) if it is neither.
 bool is_mesh(const std::filesystem::path& input, const Registry& registry);
 
+/// Returns the format in which a robot is written back, "mjcf" for an MJCF: that of its file, whose content decides; "urdf"
+/// where foam does not write that format. Throws Error(input) for a file that cannot be read.
+std::string own_format(const std::filesystem::path& input, const Registry& registry);
+
 } // namespace recipe
 } // namespace foam
