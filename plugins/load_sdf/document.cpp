@@ -100,6 +100,7 @@ bool is_main(const std::string& file) {
                    ::sdf::EnforcementPolicy warnings) {
     ::sdf::ParserConfig config;
     config.SetWarningsPolicy(warnings);
+    config.SetUnrecognizedElementsPolicy(warnings);
     config.SetFindCallback([&](const std::string& uri) { return references.nested(uri); });
     return root.LoadSdfString(text, config);
 }
