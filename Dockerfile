@@ -4,7 +4,7 @@ FROM debian:12-slim
 WORKDIR /opt/foam
 COPY dependencies.txt .
 RUN apt-get update \
-    && awk '/^## /{group = $2} !/^#/ && (group == "run:" || group == "python:") {print $1}' dependencies.txt \
+    && awk '/^## /{group = $2} !/^#/ && (group == "run:" || group == "run-12:" || group == "python:") {print $1}' dependencies.txt \
     | xargs apt-get install -y --no-install-recommends \
     && rm -rf /var/lib/apt/lists/*
 

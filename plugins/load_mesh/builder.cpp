@@ -1,5 +1,7 @@
 #include "builder.hpp"
 
+#include <foam/geometry/polygon.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>

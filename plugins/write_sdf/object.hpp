@@ -19,7 +19,9 @@ std::string file_name_of(const SphereModel& model);
 bool is_sdf(std::string_view text);
 /// Returns the text of a mesh of a hull by its URI; empty for any other.
 using MeshText = std::function<std::string(const std::string& uri)>;
-/// Returns the elements of all links of all models, in link frames. Throws Error(input) naming file, line and reason.
-SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text);
+/// Returns the elements of all links of all models, in link frames. `own`: those that foam wrote alone; it places none
+/// in another frame. Throws Error(input) naming file, line and reason.
+SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text,
+                    bool own = false);
 
 } // namespace foam::sdf

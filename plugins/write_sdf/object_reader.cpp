@@ -1,5 +1,7 @@
 #include "object.hpp"
 
+#include "links.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/vector.hpp>
@@ -20,25 +22,17 @@ using Node = xml::Element;
 /// Reads links of models within models.
 class Reader {
 public:
-    Reader(std::string_view text, const std::filesystem::path& file, const MeshText& mesh_text)
-        : text_(text),
-          mesh_text_(mesh_text), result_{.file = file, .format = "SDF", .links = {}, .fixed_joints = {}, .notes = {}} {}
+    Reader(std::string_view text, const std::filesystem::path& file, const MeshText& mesh_text, bool own)
+        : text_(text), mesh_text_(mesh_text), own_(own), result_{.file = file, .format = "SDF", .links = {}, .fixed_joints = {}, .notes = {}} {}
 
     SphereFile read() {
         const auto root = xml::parse(text_, result_.file.string(), ErrorCode::input);
         if (root->name != "sdf") {
             fail(*root, fmt::format("the root element is <{}>, not <sdf>", root->name));
         }
-        std::size_t models = root->children_named("model").size();
-        for (const Node* world : root->children_named("world")) {
-            models += world->children_named("model").size();
-        }
-        read_models(*root, "", models > 1);
-        for (const Node* world : root->children_named("world")) {
-            read_models(*world, "", models > 1);
-        }
-        if (models == 0) {
-            fail(*root, "there is no <model>");
+        const auto links = links_of(*root, result_.file.string());
+        for (const auto& [name, link] : links) {
+            read_link(*link, name);
         }
         return std::move(result_);
     }
@@ -48,32 +42,13 @@ private:
         throw Error(ErrorCode::input, fmt::format("{}:{}: {}", result_.file.string(), at.line, shown(why)));
     }
 
-    const std::string& name_of(const Node& element) const {
-        const std::string* name = element.attribute("name");
-        if (!name || name->empty()) {
-            fail(element, fmt::format("<{}> has no name", element.name));
-        }
-        return *name;
-    }
-
-    /// Reads the models of an element; those within others, which are at most as deep as the parser allows.
-    void read_models(const Node& holder, const std::string& scope, bool scoped) {
-        for (const Node* model : holder.children_named("model")) {
-            const std::string inner = scoped ? scope + name_of(*model) + "::" : scope;
-            for (const Node* link : model->children_named("link")) {
-                read_link(*link, inner);
-            }
-            read_models(*model, inner, true);
-        }
-    }
-
-    void read_link(const Node& link, const std::string& scope) {
-        const std::string& own_name = name_of(link);
+    void read_link(const Node& link, const std::string& name) {
+        const std::string& own_name = *link.attribute("name");
         std::set<std::string> left_out;
         Elements elements;
         std::size_t masked = 0;
         for (const Node* collision : link.children_named("collision")) {
-            if (is_masked(*collision)) {
+            if (is_masked(*collision, text_)) {
                 ++masked;
                 continue;
             }
@@ -86,6 +61,10 @@ private:
             }
             const Node* pose = collision->child("pose");
             const std::string* frame = pose ? pose->attribute("relative_to") : nullptr;
+            if (frame && !frame->empty() && *frame != own_name && own_) {
+                left_out.insert(shape->name); // none that foam wrote
+                continue;
+            }
             if (frame && !frame->empty() && *frame != own_name) {
                 fail(*pose, fmt::format("the {} is placed in the frame '{}'; remedy: give its place in the frame of "
                                         "its link, without relative_to",
@@ -97,31 +76,17 @@ private:
         if (!left_out.empty()) {
             result_.notes.push_back(
                 fmt::format("link '{}' has collision geometry that is no convex element ({}), which is not judged",
-                            scope + own_name, fmt::join(left_out, ", ")));
+                            name, fmt::join(left_out, ", ")));
         }
         if (masked > 0) {
             result_.notes.push_back(fmt::format("link '{}': {} collision{} left out: with <collide_bitmask> 0 a simulator "
                                                 "lets {} pass through everything",
-                                                scope + own_name, masked, masked == 1 ? " is" : "s are",
+                                                name, masked, masked == 1 ? " is" : "s are",
                                                 masked == 1 ? "it" : "them"));
         }
         if (elements.size() > 0) {
-            link_of(result_, scope + own_name).elements.add(elements);
+            link_of(result_, name).elements.add(elements);
         }
-    }
-
-    /// Returns whether the collision takes part in no contact: its mask has no bit.
-    bool is_masked(const Node& collision) const {
-        const Node* at = &collision;
-        for (const std::string_view name : {"surface", "contact", "collide_bitmask"}) {
-            at = at ? at->child(name) : nullptr;
-        }
-        if (!at || words(content_of(*at)).empty()) {
-            return false;
-        }
-        const std::string mask(words(content_of(*at)).front());
-        const bool hexadecimal = mask.starts_with("0x") || mask.starts_with("0X");
-        return mask.find_first_not_of('0', hexadecimal ? 2 : 0) == std::string::npos;
     }
 
     /// Returns the element of a shape, at the origin; nothing for one that is no convex element.
@@ -150,7 +115,7 @@ private:
         if (!uri || mesh.child("scale") || mesh.child("submesh")) {
             return {};
         }
-        const std::string_view content = content_of(*uri);
+        const std::string_view content = content_of(*uri, text_);
         const std::string name(words(content).empty() ? std::string_view() : words(content).front());
         const std::string text = mesh_text_(name);
         try {
@@ -160,14 +125,9 @@ private:
         }
     }
 
-    std::string_view content_of(const Node& element) const {
-        return element.self_closing() ? std::string_view()
-                                      : text_.substr(element.start_tag.end, element.end_tag - element.start_tag.end);
-    }
-
     std::vector<double> numbers(const Node& element) const {
         std::vector<double> result;
-        for (const std::string_view word : words(content_of(element))) {
+        for (const std::string_view word : words(content_of(element, text_))) {
             const std::optional<double> value = parse_number(word);
             if (!value) {
                 fail(element, fmt::format("<{}>: '{}' is not a finite number", element.name, word));
@@ -220,6 +180,7 @@ private:
 
     std::string_view text_;
     const MeshText& mesh_text_;
+    bool own_;
     SphereFile result_;
 };
 
@@ -229,8 +190,8 @@ bool is_sdf(std::string_view text) {
     return xml::root_name(text) == "sdf";
 }
 
-SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text) {
-    return Reader(text, file, mesh_text).read();
+SphereFile read_sdf(const std::string& text, const std::filesystem::path& file, const MeshText& mesh_text, bool own) {
+    return Reader(text, file, mesh_text, own).read();
 }
 
 } // namespace foam::sdf

@@ -1,4 +1,5 @@
 // Objects of Gazebo: write.sdf and read.sdf.
+#include "edit.hpp"
 #include "object.hpp"
 
 #include <foam/base/error.hpp>
@@ -16,6 +17,9 @@ public:
     }
 
     std::string write(const SphereModel& model, Context& context) const override {
+        if (has_sdf_text(model)) {
+            return edited_sdf(model, in_known_kinds(elements_by_link(model), known_), context);
+        }
         std::string text = object_text(model, static_, known_);
         if (!static_) {
             context.log(Severity::warning,
@@ -30,7 +34,7 @@ public:
             return elements_of(read_sdf(bytes, "SDF", [&](const std::string& uri) {
                 const std::string* text = text_beside(beside, uri);
                 return text ? *text : std::string();
-            }));
+            }, true));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
@@ -70,7 +74,7 @@ FOAM_PLUGIN("write_sdf", "1.0", "Apache-2.0") {
     const std::string reference = "http://sdformat.org/spec?ver=1.9&elem=collision";
     enrol.add<SdfWriter>(
         {.name = "write.sdf",
-         .summary = "Writes an object of one link for Gazebo, SDF 1.9; robots go to Gazebo as URDF.",
+         .summary = "Writes a robot of an SDF file back into its text, or an object of one link, SDF 1.9, for Gazebo.",
          .reference = reference,
          .parameters = {Parameter::boolean("static", true).doc("The object does not move; else Gazebo needs its mass."),
                         foam::segments_parameter()},

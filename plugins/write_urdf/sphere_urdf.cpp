@@ -15,7 +15,8 @@ namespace {
 
 /// Returns the text of the robot's file, or one composed of what the robot has.
 std::string urdf_of(const SphereModel& model, const std::string& writer) {
-    const bool own = model.robot && !model.robot->source.empty() && xml::root_name(model.robot->source) != "mujoco";
+    const std::string_view root = model.robot ? xml::root_name(model.robot->source) : std::string_view();
+    const bool own = model.robot && !model.robot->source.empty() && root != "mujoco" && root != "sdf";
     if (!model.robot || (!own && has_only_names(*model.robot))) {
         throw Error(ErrorCode::output,
                     writer + ": the robot has no URDF text to put the spheres into; remedy: give its URDF");

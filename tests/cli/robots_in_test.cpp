@@ -157,5 +157,55 @@ TEST_F(RobotsIn, TheOutputOfAnMjcfIsTheSameFile) {
     EXPECT_THAT(contents(path() / "other.xml"), HasSubstr("<mujoco"));
 }
 
+#if FOAM_TEST_SDF
+TEST_F(RobotsIn, TheOutputOfAnSdfIsTheSameFile) {
+    const std::string surface = "<surface><friction><ode><mu>0.5</mu></ode></friction></surface>";
+    const std::string before = R"(<sdf version="1.6">
+  <!-- mine -->
+  <model name="arm">
+    <link name="base">
+      <collision name="floor"><geometry><plane/></geometry></collision>
+      <collision name="foot"><pose>0 0 0.1 0 0 0</pose><geometry><box><size>0.2 0.2 0.2</size></box></geometry>)" +
+                               surface + R"(</collision>
+      <visual name="seen"><geometry><mesh><uri>box.obj</uri></mesh></geometry></visual>
+    </link>
+  </model>
+</sdf>
+)";
+    write("box.obj", box_obj);
+    write("model.sdf", before);
+    for (const auto& [command, file] : {std::pair("spherize model.sdf -n 8 -m octree", "model_spheres.sdf"),
+                                        std::pair("approximate model.sdf --with capsule -n 2", "model_elements.sdf"),
+                                        std::pair("approximate model.sdf --with capsule -n 2 -o model_capsules.sdf",
+                                                  "model_capsules.sdf")}) {
+        const Outcome outcome = foam(command);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, HasSubstr("Proved: ")) << command;
+        const std::string after = contents(path() / file);
+        const std::size_t begin = before.find("<collision name=\"foot\""), end = before.find("      <visual");
+        EXPECT_EQ(after.substr(0, begin), before.substr(0, begin)) << command;
+        EXPECT_TRUE(after.ends_with(before.substr(end))) << command << after;
+        EXPECT_THAT(after, HasSubstr("</geometry>" + surface + "</collision>")) << command;
+        EXPECT_EQ(foam(std::string("certify model.sdf ") + file).code, 0) << command;
+    }
+    fs::create_directories(path() / "other");
+    ASSERT_EQ(foam("spherize model.sdf -n 8 -m octree -o other/moved.sdf").code, 0);
+    EXPECT_THAT(contents(path() / "other/moved.sdf"), HasSubstr("<uri>../box.obj</uri>"));
+    EXPECT_EQ(foam("spherize model.sdf -n 8 -m octree -o model.urdf").code, 0);
+    write("world.sdf", "<sdf version='1.9'><world name='w'>\n<include><uri>model.sdf</uri></include></world></sdf>");
+    const Outcome included = foam("spherize world.sdf -n 8 -m octree");
+    EXPECT_EQ(included.code, 1);
+    EXPECT_THAT(included.err, HasSubstr("world.sdf:2: link 'base' is not in this file, but in one that it includes; "
+                                        "remedy: the included file as the input"));
+}
+#else
+TEST_F(RobotsIn, AnSdfNeedsLibsdformat) {
+    write("model.sdf", "<sdf version='1.9'><model name='m'><link name='l'/></model></sdf>");
+    const Outcome outcome = foam("spherize model.sdf -n 8");
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("model.sdf: this is SDF, and foam was built without libsdformat 12"));
+}
+#endif
+
 } // namespace
 } // namespace foam::test

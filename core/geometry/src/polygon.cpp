@@ -1,11 +1,11 @@
 // Ear clipping: Meisters, "Polygons have ears", American Mathematical Monthly 82 (1975).
-#include "builder.hpp"
+#include <foam/geometry/polygon.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
+#include <cmath>
 
-namespace foam::load_mesh {
+namespace foam::inline geometry {
 namespace {
 
 struct Point {
@@ -159,4 +159,4 @@ std::vector<Triangle> triangulated(std::span<const Vec3> corners, std::size_t& w
     return EarClipper(projected(corners), work).run();
 }
 
-} // namespace foam::load_mesh
+} // namespace foam::inline geometry

@@ -1,0 +1,18 @@
+// The robot of an SDF text.
+#pragma once
+
+#include <foam/robot/robot.hpp>
+#include <foam/sdk/context.hpp>
+#include <foam/sdk/resource.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace foam::load_sdf {
+
+/// Returns the robot: every model of the text, with those that it includes. The root link is that of the only tree, or
+/// "world". Throws Error(input) naming file and line; Error(plugin) where foam was built without libsdformat.
+Robot robot_of(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
+               Context& context);
+
+} // namespace foam::load_sdf
