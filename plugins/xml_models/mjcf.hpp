@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -82,8 +83,8 @@ std::vector<MjcfGeom> geoms_of(const xml::Element& root, const std::string& file
 /// N is its number in MuJoCo. Those that <replicate> copies are left out.
 std::multimap<std::string, const xml::Element*> bodies_of(const xml::Element& root);
 
-/// Returns the MJCF with the files that it includes in place of their <include>, where they hold geoms or what has an
-/// effect on geoms: bodies, classes and <compiler>. Others stay included. Throws Error(input) for one that is not
+/// Returns the MJCF with the files that it includes in place of their <include>, where they hold geoms, name them, or
+/// have an effect on them: bodies, classes and <compiler>. Others stay included. Throws Error(input) for one that is not
 /// found.
 std::string with_included(const TextFile& file);
 
@@ -115,6 +116,20 @@ private:
     std::string eulerseq_ = "xyz", mesh_folder_;
 };
 
+/// The geoms that have the place of a named one.
+struct GeomsInPlace {
+    std::vector<std::string> names{};
+    bool with_others = false; ///< they replace other geoms of its body as well
+};
+using ReplacedGeoms = std::map<std::string, GeomsInPlace>; ///< by the name that goes
+
+/// Returns the names of the geoms that a <pair> states.
+std::set<std::string> names_in_pairs(const xml::Element& root);
+
+/// Repeats each <pair> of a replaced geom for those in its place. Throws Error(input) if a sensor <contact> names one.
+void put_pairs_of_replaced(xml::Editor& editor, const xml::Element& root, const ReplacedGeoms& replaced,
+                           const std::string& file, Context& context);
+
 struct MjcfReplacement {
     bool all_collision = false;                         ///< also other geoms with contact than spheres
     PairEdit pairs = PairEdit::keep;                    ///< what happens to the <exclude> elements
@@ -124,9 +139,9 @@ struct MjcfReplacement {
 };
 
 /// Returns the file with the spheres of the bodies called like the links replaced; every other byte stays. New geoms
-/// take over the class and the settings of contact of the first one that they replace. Geoms that give their body its
-/// mass, or that others than <pair> name, stay without contact. Throws Error(input) if the file is not MJCF or lacks a
-/// body.
+/// take over the class and the settings of contact of the first one that they replace. A <pair> is repeated for each.
+/// Geoms that give their body its mass, or that others than <pair> name, stay without contact. Throws Error(input) if the
+/// file is not MJCF or lacks a body.
 std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& links, const MjcfReplacement& what,
                          Context& context);
 

@@ -21,13 +21,16 @@ public:
         : file_(into.file.string()), what_(what), context_(context), text_(text_of(into)),
           root_(xml::parse(text_, file_, ErrorCode::input)), editor_(text_),
           shapes_(next_number(*root_), mesh_settings(*root_)),
-          inertia_from_geoms_(stated_of_compiler("inertiafromgeom")), bodies_(bodies_of(*root_)) {
+          inertia_from_geoms_(stated_of_compiler("inertiafromgeom")), bodies_(bodies_of(*root_)),
+          in_pairs_(names_in_pairs(*root_)) {
         if (root_->name != "mujoco" || root_->self_closing()) {
             throw Error(ErrorCode::input, fmt::format("{}:{}: <{}> is not the <mujoco> of an MJCF file", file_,
                                                       root_->line, root_->name));
         }
         for (const MjcfGeom& geom : geoms_of(*root_, file_)) {
             geoms_[geom.body].push_back(geom);
+            const std::string* name = geom.geom->attribute("name");
+            names_.insert(name ? *name : "");
         }
     }
 
@@ -41,7 +44,7 @@ public:
         for (const LinkSpheres& link : links) {
             put(link, body_of(link.link));
         }
-        require_known_names();
+        put_pairs_of_replaced(editor_, *root_, lost_, file_, context_);
         if (others_ > 0) {
             context_.log(Severity::warning,
                          fmt::format("{} geom{} with contact {} no sphere{} and stay{}; remedy: collision: true to "
@@ -240,23 +243,27 @@ private:
 
     void put(const LinkSpheres& link, const xml::Element& body) {
         const std::vector<const MjcfGeom*> old = replaced_in(link.link);
-        const std::string name = name_of_one(old, link.elements.size());
+        const std::vector<std::string> names = names_of(old, link.elements.size());
+        const bool renamed = names.size() == 1 && !lost_.contains(names.front()) && !names.front().empty();
         const std::string settings = settings_of(old, link.link);
         std::vector<std::string> geoms;
-        const std::string begin = "<geom" + name + class_of(old);
+        const auto begin = [&, taken = class_of(old)] {
+            const std::string& name = names[geoms.size()];
+            return "<geom" + (name.empty() ? "" : attribute_text("name", name)) + taken;
+        };
         for (const Sphere& s : link.elements.spheres()) {
-            geoms.push_back(begin + attribute_text("type", "sphere") + settings +
+            geoms.push_back(begin() + attribute_text("type", "sphere") + settings +
                             attribute_text("pos", vector_text(s.center)) +
                             attribute_text("size", numbers_text({&s.radius, 1})) + "/>");
         }
         for (const Element& element : link.elements.shaped()) {
             const std::string shape = shapes_.attributes(element);
             const bool turned = std::ranges::any_of(old, [](const MjcfGeom* geom) { return geom->text("quat"); });
-            geoms.push_back(begin + settings + shape +
+            geoms.push_back(begin() + settings + shape +
                             (turned && shape.find(" quat=") == shape.npos ? attribute_text("quat", "1 0 0 0") : "") +
                             "/>");
         }
-        put(geoms, old, body, !name.empty());
+        put(geoms, old, body, renamed);
     }
 
     /// Puts new geoms in place of old ones. `renamed`: they take the name.
@@ -390,70 +397,56 @@ private:
         return (old.empty() ? R"( group="3" contype="1" conaffinity="1")" : text) + attribute_text("mass", "0");
     }
 
-    /// Returns ` name=…` where one geom replaces one, so that what names it finds it: for contacts, or where nothing in
-    /// the file names it. The names of others are lost for contacts.
-    std::string name_of_one(const std::vector<const MjcfGeom*>& old, std::size_t count) {
-        const bool alone = old.size() == 1 && count == 1;
-        std::string text;
+    /// Returns the names of new geoms. Where one replaces one, it takes the name, so that what names it finds it. Where
+    /// a <pair> names an old one, each has a name of its own. Others have none.
+    std::vector<std::string> names_of(const std::vector<const MjcfGeom*>& old, std::size_t count) {
+        const auto name_of = [](const MjcfGeom* geom) { return geom->geom->attribute("name"); };
+        if (old.size() == 1 && count == 1 && name_of(old.front()) && !old.front()->replicated) {
+            return {*name_of(old.front())};
+        }
+        std::vector<std::string> names(count);
+        const auto in_pair = std::ranges::find_if(old, [&](const MjcfGeom* geom) {
+            return name_of(geom) && in_pairs_.contains(*name_of(geom));
+        });
+        if (in_pair != old.end()) {
+            names = new_names(*name_of(*in_pair), count, old);
+        }
         for (const MjcfGeom* geom : old) {
-            if (const std::string* name = geom->geom->attribute("name"); name && alone && !geom->replicated) {
-                text = attribute_text("name", *name);
-            } else if (name) {
-                lost_names_.insert(*name);
+            if (name_of(geom)) {
+                lost_[*name_of(geom)] = {names, old.size() > 1};
             }
         }
-        return text;
+        return names;
     }
 
-    /// Throws if a contact names a geom that several replace.
-    void require_known_names() const {
-        std::vector<const xml::Element*> found;
-        add_contacts(*root_, found);
-        if (!found.empty()) {
-            const xml::Element& element = *found.front();
-            const char* attribute = is_lost(element, "geom1") ? "geom1" : "geom2";
-            std::vector<int> others;
-            for (const xml::Element* other : found) {
-                if (other->line != (others.empty() ? element.line : others.back())) {
-                    others.push_back(other->line);
-                }
+    /// Returns NAME_1, NAME_2, …, without those of other geoms.
+    std::vector<std::string> new_names(const std::string& name, std::size_t count,
+                                       const std::vector<const MjcfGeom*>& old) {
+        for (const MjcfGeom* geom : old) {
+            const std::string* own = geom->geom->attribute("name");
+            if (own && !stays(*geom, false)) {
+                names_.erase(*own);
             }
-            throw Error(ErrorCode::input,
-                        fmt::format("{}:{}: <{} {}=\"{}\"> names a geom that several others replace{}; remedy: remove "
-                                    "<{}>, skip the link, or allow one element for it",
-                                    file_, element.line, element.name, attribute, shown(*element.attribute(attribute)),
-                                    others.empty()
-                                        ? ""
-                                        : fmt::format(" (so do{} {})", others.size() == 1 ? "es line" : " lines",
-                                                      fmt::join(others, ", ")),
-                                    element.name));
         }
-        warn_of_included(*root_);
-    }
-
-    bool is_lost(const xml::Element& element, const char* attribute) const {
-        const std::string* name = element.attribute(attribute);
-        return name && lost_names_.contains(*name);
-    }
-
-    /// Whether an element is about contacts of geoms.
-    static bool is_contact(const xml::Element& element) { return element.name == "pair" || element.name == "contact"; }
-
-    /// Adds the elements that are about contacts of lost geoms.
-    void add_contacts(const xml::Element& element, std::vector<const xml::Element*>& found) const {
-        if (is_contact(element) && (is_lost(element, "geom1") || is_lost(element, "geom2"))) {
-            found.push_back(&element);
+        const std::size_t end = name.find_last_not_of("0123456789");
+        const bool numbered = end != name.npos && end > 0 && end + 1 < name.size() && name[end] == '_';
+        const std::string stem = numbered ? name.substr(0, end) : name; // the second time names stay as they are
+        std::vector<std::string> names;
+        for (std::size_t number = 1; names.size() < count; ++number) {
+            const std::string next = fmt::format("{}_{}", stem, number);
+            if (names_.insert(next).second) {
+                names.push_back(next);
+            }
         }
-        for (const auto& child : element.children) {
-            add_contacts(*child, found);
-        }
+        return names;
     }
 
     /// Adds the names of geoms that sensors, tendons and tuples state. All use these few attributes.
     void add_uses(const xml::Element& element) {
         const auto add = [&](const char* attribute, const char* type) {
             const std::string *name = element.attribute(attribute), *of = type ? element.attribute(type) : nullptr;
-            if (name && !is_contact(element) && (!type || (of && *of == "geom"))) {
+            const bool of_contact = element.name == "pair" || element.name == "contact";
+            if (name && !of_contact && (!type || (of && *of == "geom"))) {
                 used_.insert(*name);
             }
         };
@@ -464,22 +457,6 @@ private:
         add("refname", "reftype");
         for (const auto& child : element.children) {
             add_uses(*child);
-        }
-    }
-
-    void warn_of_included(const xml::Element& element) const {
-        if (element.name == "include" && !lost_names_.empty()) {
-            std::vector<std::string> names;
-            for (const std::string& name : lost_names_) {
-                names.push_back(shown(name));
-            }
-            context_.log(Severity::warning,
-                         fmt::format("{}:{}: the file that is included may name geoms that are replaced by others "
-                                     "without names: {}; remedy: remove what names them",
-                                     file_, element.line, fmt::join(names, ", ")));
-        }
-        for (const auto& child : element.children) {
-            warn_of_included(*child);
         }
     }
 
@@ -497,7 +474,9 @@ private:
     std::set<std::string> used_;             ///< names of geoms that sensors, tendons and tuples state
     std::vector<std::string> measured_;      ///< those that stay for them
     std::set<const xml::Element*> replaced_; ///< geoms
-    std::set<std::string> lost_names_;       ///< of geoms
+    std::set<std::string> in_pairs_;         ///< names of geoms that a <pair> states
+    std::set<std::string> names_;            ///< of all geoms
+    ReplacedGeoms lost_;
 };
 
 } // namespace

@@ -36,7 +36,7 @@ public:
     explicit IncludedFiles(const fs::path& main) : folder_(main.parent_path()) {}
 
     /// Returns the text with the files in place of their <include>. `file`: of the text. `needed`: set to whether the
-    /// text holds what has an effect on geoms.
+    /// text holds what names geoms or has an effect on them.
     std::string merged(const std::string& text, const fs::path& file, bool& needed) {
         const auto root = xml::parse(text, file.string(), ErrorCode::input);
         xml::Editor editor(text);
@@ -48,7 +48,7 @@ private:
     void merge(const xml::Element& element, const fs::path& file, xml::Editor& editor, bool& needed) {
         static constexpr std::array with_effect{"geom",   "body",     "frame",     "replicate", "default",
                                                 "attach", "compiler", "worldbody", "composite"};
-        needed |= std::ranges::find(with_effect, element.name) != with_effect.end();
+        needed |= std::ranges::find(with_effect, element.name) != with_effect.end() || names_geom(element);
         for (const auto& child : element.children) {
             if (child->name == "include") {
                 needed |= include(*child, file, editor);
@@ -56,6 +56,14 @@ private:
                 merge(*child, file, editor, needed);
             }
         }
+    }
+
+    static bool names_geom(const xml::Element& element) {
+        return std::ranges::any_of(element.attributes, [](const auto& attribute) {
+            const auto& [key, value] = attribute;
+            return key == "geom" || key == "geom1" || key == "geom2" ||
+                   ((key == "objtype" || key == "reftype") && value == "geom");
+        });
     }
 
     /// Puts an included file into the text. Returns false for one that may stay where it is.

@@ -138,17 +138,47 @@ std::string naming_by(const std::string& element) {
     return with(naming, "{}", element);
 }
 
-TEST_F(MjcfInto, AContactOfAGeomThatSeveralReplaceIsRefused) {
-    const auto refusal = [](const std::string& names, const std::string& element) {
-        return "arm.xml:8: " + names + " names a geom that several others replace; remedy: remove <" + element +
-               ">, skip the link, or allow one element for it";
-    };
-    model.into->text = naming_by(R"(<contact><pair geom1="seen" geom2="foot"/></contact>)");
-    EXPECT_EQ(refused(), refusal(R"(<pair geom2="foot">)", "pair"));
-    model.into->text = naming_by(R"(<contact><pair geom1="palm" geom2="seen"/></contact>)");
-    EXPECT_EQ(refused(), refusal(R"(<pair geom1="palm">)", "pair"));
+TEST_F(MjcfInto, APairHoldsForEachGeomThatReplacesOneOfIt) {
+    model.into->text = naming_by(R"(<contact>
+    <pair name="p" geom1="palm" geom2="foot" condim="1"/>
+    <pair geom1="seen" geom2="palm"/></contact>)");
+    const std::string text = written();
+    EXPECT_THAT(text, HasSubstr(R"(<geom name="palm_1" type="sphere" mass="0")"));
+    EXPECT_THAT(text, HasSubstr(R"(<geom name="palm_2" type="sphere" mass="0")"));
+    EXPECT_THAT(text, HasSubstr(R"(<geom name="foot_1" type="sphere" mass="0")"));
+    EXPECT_THAT(text, HasSubstr(R"(<contact>
+    <pair name="p" geom1="palm_1" geom2="foot_1" condim="1"/>
+    <pair geom1="palm_2" geom2="foot_1" condim="1"/>
+    <pair geom1="seen" geom2="palm_1"/>
+    <pair geom1="seen" geom2="palm_2"/></contact>)"));
+    model.into->text = text;
+    EXPECT_EQ(written(), text) << "the second time nothing changes";
+}
+
+TEST_F(MjcfInto, APairOfAGeomThatGoesWithoutAnotherGoes) {
+    auto robot = std::make_shared<Robot>(*model.robot);
+    robot->file = "/robots/arm.xml";
+    robot->source = naming_by(R"(<contact><pair geom1="seen" geom2="foot"/></contact>)");
+    model.robot = robot;
+    model.into.reset();
+    model.groups.pop_back();
+    model.without_collision = {"second"};
+    const std::string text = written();
+    EXPECT_THAT(text, Not(HasSubstr("geom2=\"foot\"")));
+    EXPECT_THAT(text, HasSubstr(R"(<pair geom1="seen" geom2="seen"/>)"));
+}
+
+TEST_F(MjcfInto, NewNamesAreNotThoseOfOtherGeoms) {
+    model.into->text =
+        with(naming_by(R"(<contact><pair geom1="seen" geom2="palm"/></contact>)"), "\"seen\" type", "\"palm_1\" type");
+    EXPECT_THAT(written(), HasSubstr(R"(<pair geom1="seen" geom2="palm_2"/><pair geom1="seen" geom2="palm_3"/>)"));
+}
+
+TEST_F(MjcfInto, ASensorOfTheContactsOfAReplacedGeomIsRefused) {
     model.into->text = naming_by(R"(<sensor><contact geom1="foot" body2="first"/></sensor>)");
-    EXPECT_EQ(refused(), refusal(R"(<contact geom1="foot">)", "contact")) << "one replaces two";
+    EXPECT_EQ(refused(), R"(arm.xml:8: <contact geom1="foot"> senses the contacts of a geom that others replace; remedy: )"
+                         R"(let it name the body, by body1, skip the link, or allow one element for it)")
+        << "one replaces two";
 }
 
 TEST_F(MjcfInto, AGeomThatOthersNameStaysWithoutContact) {
@@ -162,13 +192,6 @@ TEST_F(MjcfInto, AGeomThatOthersNameStaysWithoutContact) {
                                 R"(<body name="first"><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)");
         EXPECT_THAT(written(), HasSubstr(R"(<geom contype="0" conaffinity="0" name="palm" size="0.1"/>)")) << element;
     }
-}
-
-TEST_F(MjcfInto, TheOtherLinesThatNameReplacedGeomsAreListed) {
-    model.into->text = naming_by("<contact><pair geom1=\"foot\" geom2=\"palm\"/>\n<pair geom1=\"seen\" geom2=\"foot\"/>\n"
-                                 "<pair geom1=\"palm\" geom2=\"seen\"/></contact>");
-    EXPECT_EQ(refused(), R"(arm.xml:8: <pair geom1="foot"> names a geom that several others replace (so do lines 9, 10); )"
-                         R"(remedy: remove <pair>, skip the link, or allow one element for it)");
 }
 
 TEST_F(MjcfInto, OtherObjectsMayHaveTheNameOfAReplacedGeom) {
@@ -244,11 +267,14 @@ TEST_F(MjcfInto, IncludedFilesWithGeomsAreMerged) {
     const auto file = [&](const char* name, const char* text) { std::ofstream(folder.path() / name) << text; };
     file("arms.xml", R"(<mujoco><body name="first"><geom size="0.2" mass="0"/></body><body name="second"/></mujoco>)");
     file("look.xml", R"(<mujoco><asset/></mujoco>)");
+    file("seen.xml", R"(<mujoco><sensor><framepos objtype="geom" objname="g"/></sensor></mujoco>)");
     model.into = TextFile{folder.path() / "main.xml",
                           R"(<mujoco><include file="look.xml"/><worldbody><include file="arms.xml"/></worldbody></mujoco>)"};
     const std::string text = written();
     EXPECT_THAT(text, HasSubstr(R"(<mujoco><include file="look.xml"/><worldbody><body name="first"><geom type="sphere")"));
     EXPECT_THAT(text, HasSubstr(R"(</body></worldbody></mujoco>)"));
+    model.into->text = R"(<mujoco><include file="seen.xml"/></mujoco>)";
+    EXPECT_THAT(refused(), HasSubstr("there is no body 'first'"));
     model.into->text = R"(<mujoco><worldbody><include file="none.xml"/></worldbody></mujoco>)";
     EXPECT_THAT(refused(), HasSubstr("main.xml:1: the file 'none.xml' that is included is not found"));
 }
