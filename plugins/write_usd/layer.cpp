@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <memory>
 
 namespace foam::usd {
 namespace {
@@ -35,14 +37,16 @@ std::string literal(std::string_view text) {
 /// Writes prims within each other, indented.
 class LayerWriter {
 public:
-    /// Begins a prim. `metadata`: one line, or empty.
-    void open(const std::string& head, const std::string& metadata = "") {
+    /// Begins a prim. `metadata`: lines of it.
+    void open(const std::string& head, const std::vector<std::string>& metadata = {}) {
         if (metadata.empty()) {
             line(head);
         } else {
             line(head + " (");
             ++depth_;
-            line(metadata);
+            for (const std::string& one : metadata) {
+                line(one);
+            }
             --depth_;
             line(")");
         }
@@ -50,11 +54,9 @@ public:
         ++depth_;
     }
 
-    void close(std::size_t prims = 1) {
-        for (; prims > 0; --prims) {
-            --depth_;
-            line("}");
-        }
+    void close() {
+        --depth_;
+        line("}");
     }
 
     void line(const std::string& content) { text_ += std::string(4 * depth_, ' ') + content + '\n'; }
@@ -67,7 +69,7 @@ private:
 
 void write_sphere(LayerWriter& layer, std::size_t index, const Sphere& s) {
     const std::string r = number_text(s.radius);
-    layer.open("def Sphere \"s" + std::to_string(index) + '"', "prepend apiSchemas = [\"PhysicsCollisionAPI\"]");
+    layer.open("def Sphere \"s" + std::to_string(index) + '"', {"prepend apiSchemas = [\"PhysicsCollisionAPI\"]"});
     layer.line("double radius = " + r);
     layer.line(fmt::format("float3[] extent = [(-{0}, -{0}, -{0}), ({0}, {0}, {0})]", r));
     layer.line("uniform token purpose = \"guide\"");
@@ -128,9 +130,9 @@ void write_element(LayerWriter& layer, std::size_t index, const Element& element
                        : element.kind == Kind::box      ? "Cube"
                                                         : "Mesh";
     layer.open(fmt::format("def {} \"{}{}\"", type, to_string(element.kind), index),
-               element.kind == Kind::hull
-                   ? "prepend apiSchemas = [\"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]"
-                   : "prepend apiSchemas = [\"PhysicsCollisionAPI\"]");
+               {element.kind == Kind::hull
+                    ? "prepend apiSchemas = [\"PhysicsCollisionAPI\", \"PhysicsMeshCollisionAPI\"]"
+                    : "prepend apiSchemas = [\"PhysicsCollisionAPI\"]"});
     if (element.kind == Kind::hull) {
         write_hull(layer, element);
         layer.close();
@@ -150,9 +152,49 @@ void write_element(LayerWriter& layer, std::size_t index, const Element& element
     layer.close();
 }
 
-void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
-    layer.open("def Scope \"foam_spheres\"");
+/// A prim of the robot that the layer lies over.
+struct Over {
+    explicit Over(std::string its_name) : name(std::move(its_name)) {}
+
+    /// Returns the prim of a path below this one.
+    Over& at(const std::vector<std::string>& parts) {
+        Over* over = this;
+        for (const std::string& part : parts) {
+            const auto found = std::ranges::find(over->children, part, [](const auto& child) { return child->name; });
+            if (found == over->children.end()) {
+                over->children.push_back(std::make_unique<Over>(part));
+            }
+            over = found == over->children.end() ? over->children.back().get() : found->get();
+        }
+        return *over;
+    }
+
+    std::string name;
+    std::vector<std::string> metadata{}, properties{};
+    std::vector<std::unique_ptr<Over>> children{};
+    const LinkSpheres* link = nullptr;         ///< whose elements it gets; null: none
+    const StageOfRobot::Place* place = nullptr; ///< of the link in its stage; null: unknown
+};
+
+/// Returns the line of a transform of USD, for row vectors.
+std::string transform_text(const std::array<double, 16>& matrix) {
+    std::string rows;
+    for (std::size_t row = 0; row < 4; ++row) {
+        rows += fmt::format("{}({}, {}, {}, {})", row == 0 ? "" : ", ", number_text(matrix[4 * row]),
+                            number_text(matrix[4 * row + 1]), number_text(matrix[4 * row + 2]),
+                            number_text(matrix[4 * row + 3]));
+    }
+    return "matrix4d xformOp:transform = ( " + rows + " )";
+}
+
+void write_elements(LayerWriter& layer, const LinkSpheres& link, const StageOfRobot::Place* place) {
+    const bool moved = place && place->from_metres != StageOfRobot::Place{}.from_metres;
+    layer.open(moved ? "def Xform \"foam_spheres\"" : "def Scope \"foam_spheres\"");
     layer.line("custom string foam:link = " + literal(link.link)); // the prim's name may differ
+    if (moved) {
+        layer.line(transform_text(place->from_metres));
+        layer.line("uniform token[] xformOpOrder = [\"xformOp:transform\"]");
+    }
     CancellationCounter asking(1024);
     std::size_t i = 0;
     for (const Sphere& sphere : link.elements.spheres()) {
@@ -166,12 +208,56 @@ void write_spheres(LayerWriter& layer, const LinkSpheres& link) {
     layer.close();
 }
 
+void write(LayerWriter& layer, const Over& over) {
+    layer.open("over \"" + over.name + '"', over.metadata);
+    for (const std::string& property : over.properties) {
+        layer.line(property);
+    }
+    for (const auto& child : over.children) {
+        write(layer, *child);
+    }
+    if (over.link) {
+        write_elements(layer, *over.link, over.place);
+    }
+    layer.close();
+}
+
+std::vector<std::string> parts_of(std::string_view path) {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 1; begin < path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        parts.emplace_back(path.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+/// Returns the stage that the robot was read from, if the layer goes over it.
+const StageOfRobot* stage_below(const SphereModel& model, const LayerOptions& options) {
+    return model.robot && options.prim == usual_prim ? model.robot->stage.get() : nullptr;
+}
+
+/// Returns the path of the robot's file, from the folder of the output.
+std::string path_below(const SphereModel& model) {
+    const std::filesystem::path file = std::filesystem::absolute(model.robot->file).lexically_normal();
+    const std::filesystem::path relative = model.folder.empty() ? file.filename()
+                                                                : file.lexically_relative(model.folder.lexically_normal());
+    if (relative.empty()) {
+        return file.generic_string();
+    }
+    return (relative.begin()->string() == ".." ? "" : "./") + relative.generic_string();
+}
+
 std::string header(const SphereModel& model, const LayerOptions& options) {
     std::string text = "#usda 1.0\n";
     text += model.provenance.empty() ? "" : "# " + shown(model.provenance) + "\n";
     text += "(\n";
-    text += options.sublayer.empty() ? "" : "    subLayers = [@" + options.sublayer + "@]\n";
-    return text + "    metersPerUnit = 1\n    upAxis = \"Z\"\n)\n\n";
+    const StageOfRobot* stage = stage_below(model, options);
+    text += stage && !stage->default_prim.empty() ? "    defaultPrim = " + literal(stage->default_prim) + "\n" : "";
+    const std::string below = !options.sublayer.empty() ? options.sublayer : stage ? path_below(model) : "";
+    text += below.empty() ? "" : "    subLayers = [@" + below + "@]\n";
+    return text + fmt::format("    metersPerUnit = {}\n    upAxis = \"{}\"\n)\n\n",
+                              number_text(stage ? stage->metres_per_unit : 1), stage ? stage->up_axis : "Z");
 }
 
 void require_options(const LayerOptions& options) {
@@ -202,39 +288,68 @@ std::vector<std::string> all_links(const SphereModel& model, const std::vector<L
     return names;
 }
 
-/// Returns the paths of the links that need no check against each link, for the first link of each pair.
-std::map<std::string, std::string> filtered_paths(const SphereModel& model, const std::vector<LinkSpheres>& links,
-                                                  const std::map<std::string, std::string>& names,
-                                                  const PathPattern& pattern) {
+/// Returns the path of the prim of each link.
+std::map<std::string, std::string> paths_of(const SphereModel& model, const LayerOptions& options,
+                                            const std::vector<LinkSpheres>& links) {
     std::map<std::string, std::string> paths;
-    const auto has_spheres = [&](const std::string& name) {
-        return std::any_of(links.begin(), links.end(), [&](const LinkSpheres& link) { return link.link == name; });
-    };
-    for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
-        if (has_spheres(pair.first) && has_spheres(pair.second)) {
-            std::string& list = paths[pair.first];
-            list += (list.empty() ? "<" : ", <") + pattern.path(names.at(pair.second)) + ">";
+    if (const StageOfRobot* stage = stage_below(model, options)) {
+        for (const auto& [link, place] : stage->links) {
+            paths[link] = place.path;
         }
+        return paths;
+    }
+    const std::string robot = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
+    const PathPattern pattern(options.prim, robot, links.size() > 1);
+    for (const auto& [link, name] : prim_names(all_links(model, links))) {
+        paths[link] = pattern.path(name);
     }
     return paths;
 }
 
-/// Writes the prims of a link. `filtered`: paths of the links that it is not checked against.
-void write_link(LayerWriter& layer, const LinkSpheres& link, const std::vector<std::string>& parts,
-                const std::string& filtered, const LayerOptions& options) {
-    for (const std::string& part : parts) {
-        const bool filters = &part == &parts.back() && !filtered.empty();
-        layer.open("over \"" + part + '"', filters ? "prepend apiSchemas = [\"PhysicsFilteredPairsAPI\"]" : "");
+/// Adds the links that need no check against each link, to the first of each pair.
+void add_pairs(Over& root, const SphereModel& model, const std::vector<LinkSpheres>& links,
+               const std::map<std::string, std::string>& paths) {
+    std::map<std::string, std::string> lists;
+    const auto has_elements = [&](const std::string& name) {
+        return std::any_of(links.begin(), links.end(), [&](const LinkSpheres& link) { return link.link == name; });
+    };
+    for (const IgnoredPair& pair : model.ignored_pairs.value_or(std::vector<IgnoredPair>{})) {
+        if (has_elements(pair.first) && has_elements(pair.second)) {
+            std::string& list = lists[pair.first];
+            list += (list.empty() ? "<" : ", <") + paths.at(pair.second) + ">";
+        }
     }
-    if (!filtered.empty()) {
-        layer.line("rel physics:filteredPairs = [" + filtered + "]");
+    for (const auto& [link, list] : lists) {
+        Over& over = root.at(parts_of(paths.at(link)));
+        over.metadata.push_back("prepend apiSchemas = [\"PhysicsFilteredPairsAPI\"]");
+        over.properties.push_back("rel physics:filteredPairs = [" + list + "]");
     }
-    if (!options.inactive.empty()) {
-        layer.open("over \"" + options.inactive + '"', "active = false");
-        layer.close();
+}
+
+/// Switches the colliders of links off that have elements, or are to have none.
+void switch_off(Over& root, const SphereModel& model, const StageOfRobot& stage, const std::vector<LinkSpheres>& links) {
+    std::vector<std::string> names = model.without_collision;
+    for (const LinkSpheres& link : links) {
+        names.push_back(link.link);
     }
-    write_spheres(layer, link);
-    layer.close(parts.size());
+    std::vector<std::string> off;
+    for (const std::string& name : names) {
+        if (const auto place = stage.links.find(name); place != stage.links.end()) {
+            off.insert(off.end(), place->second.colliders.begin(), place->second.colliders.end());
+        }
+    }
+    for (const std::string& instance : stage.instances) { // what is below one cannot be changed
+        if (std::ranges::any_of(off, [&](const std::string& path) { return path.starts_with(instance + "/"); })) {
+            root.at(parts_of(instance)).metadata.push_back("instanceable = false");
+        }
+    }
+    for (const std::string& path : off) {
+        std::vector<std::string>& properties = root.at(parts_of(path)).properties;
+        constexpr const char* line = "bool physics:collisionEnabled = 0";
+        if (std::ranges::find(properties, line) == properties.end()) {
+            properties.push_back(line);
+        }
+    }
 }
 
 } // namespace
@@ -242,21 +357,32 @@ void write_link(LayerWriter& layer, const LinkSpheres& link, const std::vector<s
 std::string layer_text(const SphereModel& model, const LayerOptions& options) {
     require_options(options);
     const std::vector<LinkSpheres> links = in_known_kinds(elements_by_link(model), options.known);
-    const std::map<std::string, std::string> names = prim_names(all_links(model, links));
-    const std::string robot = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
-    const PathPattern pattern(options.prim, robot, links.size() > 1);
-    const auto filtered =
-        options.pairs ? filtered_paths(model, links, names, pattern) : std::map<std::string, std::string>{};
-    LayerWriter layer;
-    for (const std::string& part : pattern.above()) {
-        layer.open("over \"" + part + '"');
-    }
+    const std::map<std::string, std::string> paths = paths_of(model, options, links);
+    const StageOfRobot* stage = stage_below(model, options);
+    Over root("");
     for (const LinkSpheres& link : links) {
-        const auto paths = filtered.find(link.link);
-        write_link(layer, link, pattern.below(names.at(link.link)), paths == filtered.end() ? "" : paths->second,
-                   options);
+        if (!paths.contains(link.link)) {
+            throw Error(ErrorCode::output, fmt::format("write.usd: the stage has no prim for the link '{}'; remedy: a "
+                                                       "defaultPrim in the stage, or skip the link",
+                                                       shown(link.link)));
+        }
+        Over& over = root.at(parts_of(paths.at(link.link)));
+        over.link = &link;
+        over.place = stage ? &stage->links.at(link.link) : nullptr;
+        if (!options.inactive.empty()) {
+            over.at({options.inactive}).metadata = {"active = false"};
+        }
     }
-    layer.close(pattern.above().size());
+    if (options.pairs) {
+        add_pairs(root, model, links, paths);
+    }
+    if (stage) {
+        switch_off(root, model, *stage, links);
+    }
+    LayerWriter layer;
+    for (const auto& over : root.children) {
+        write(layer, *over);
+    }
     return header(model, options) + layer.text();
 }
 

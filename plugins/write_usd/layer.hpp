@@ -24,15 +24,11 @@ public:
     /// Throws Error(output) naming the pattern, for what gives no paths or not one for each link.
     PathPattern(const std::string& pattern, const std::string& robot, bool many_links);
 
-    /// Returns the parts of the path above the first that depends on the link.
-    const std::vector<std::string>& above() const { return above_; }
-    /// Returns the other parts. `prim_name`: of prim_names().
-    std::vector<std::string> below(const std::string& prim_name) const;
-    /// Returns "/World/panda/link0".
+    /// Returns "/World/panda/link0". `prim_name`: of prim_names().
     std::string path(const std::string& prim_name) const;
 
 private:
-    std::vector<std::string> above_, below_;
+    std::vector<std::string> parts_; ///< some with {link}
 };
 
 struct Token {
@@ -73,12 +69,15 @@ private:
     Token now_;
 };
 
+/// Where importers put links. A robot that was read from USD has its own paths.
+constexpr const char* usual_prim = "/{robot}/{link}";
+
 /// Parameters of write.usd.
 struct LayerOptions {
-    std::string prim = "/{robot}/{link}"; ///< path of a link's prim
-    std::string sublayer;                 ///< layer below this one; empty: none
-    std::string inactive;                 ///< child of each link's prim that is switched off; empty: none
-    bool pairs = true;                    ///< write pairs of links that need no check
+    std::string prim = usual_prim; ///< path of a link's prim
+    std::string sublayer;          ///< layer below this one; empty: that of a robot that was read from USD, or none
+    std::string inactive;          ///< child of each link's prim that is switched off; empty: none
+    bool pairs = true;             ///< write pairs of links that need no check
     KnownKinds known{};
 };
 

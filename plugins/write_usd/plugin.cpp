@@ -54,11 +54,13 @@ FOAM_PLUGIN("write_usd", "1.0", "Apache-2.0") {
                     "in metres.",
          .reference = reference,
          .parameters =
-             {Parameter::text("prim", "/{robot}/{link}")
-                  .doc("Path of a link's prim in the robot's layer; {robot} and {link} stand for the names.")
+             {Parameter::text("prim", usual_prim)
+                  .doc("Path of a link's prim in the robot's layer; {robot} and {link} stand for the names. A robot that "
+                       "was read from USD has its own paths.")
                   .source("The importer of Isaac Sim puts all links below the robot."),
               Parameter::text("sublayer", "")
-                  .doc("File with the robot that this layer lies over, such as ./panda.usd, in metres; empty: none."),
+                  .doc("File with the robot that this layer lies over, such as ./panda.usd, in metres; empty: the file "
+                       "that the robot was read from if that is USD, else none."),
               Parameter::text("inactive", "")
                   .doc("Child of each link's prim that is switched off, such as collisions; empty: none."),
               Parameter::boolean("pairs", true).doc("Write the pairs of links that need no check."),

@@ -77,6 +77,7 @@ PathPattern::PathPattern(const std::string& pattern, const std::string& robot, b
     if (!pattern.starts_with('/') || pattern.size() < 2) {
         fail("is no path of a prim from the root, '/'");
     }
+    bool for_each_link = false;
     for (std::size_t begin = 1; begin <= pattern.size();) {
         const std::size_t end = std::min(pattern.find('/', begin), pattern.size());
         const std::string part = replaced(pattern.substr(begin, end - begin), "{robot}", identifier(robot));
@@ -84,33 +85,19 @@ PathPattern::PathPattern(const std::string& pattern, const std::string& robot, b
         if (!is_identifier(replaced(part, link_word, "link"))) {
             fail(fmt::format("has the part '{}'; names of prims have letters, digits and '_' only", shown(part)));
         }
-        (of_link || !below_.empty() ? below_ : above_).push_back(part);
+        for_each_link = for_each_link || of_link;
+        parts_.push_back(part);
         begin = end + 1;
     }
-    if (below_.empty() && many_links) {
+    if (!for_each_link && many_links) {
         fail("is the same for all links");
     }
-    if (below_.empty()) {
-        below_.push_back(above_.back());
-        above_.pop_back();
-    }
-}
-
-std::vector<std::string> PathPattern::below(const std::string& prim_name) const {
-    std::vector<std::string> parts;
-    for (const std::string& part : below_) {
-        parts.push_back(replaced(part, link_word, prim_name));
-    }
-    return parts;
 }
 
 std::string PathPattern::path(const std::string& prim_name) const {
     std::string path;
-    for (const std::string& part : above_) {
-        path += '/' + part;
-    }
-    for (const std::string& part : below(prim_name)) {
-        path += '/' + part;
+    for (const std::string& part : parts_) {
+        path += '/' + replaced(part, link_word, prim_name);
     }
     return path;
 }

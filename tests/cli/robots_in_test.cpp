@@ -207,5 +207,21 @@ TEST_F(RobotsIn, AnSdfNeedsLibsdformat) {
 }
 #endif
 
+TEST_F(RobotsIn, UsdNeedsAPythonThatReadsIt) {
+    write("bin/python", "#!/bin/sh\necho \"No module named 'pxr'\" >&2; exit 3\n");
+    fs::permissions(path() / "bin/python", fs::perms::owner_all);
+    const Outcome none = shell("FOAM_PYTHON='@/bin/python' '" FOAM_TEST_BINARY "' info robot.usda");
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.err, HasSubstr("this is USD, which the Python package usd-core reads, and '"));
+    EXPECT_THAT(none.err, HasSubstr("' has none:\n  No module named 'pxr'\nremedy: pip install usd-core"));
+    const Outcome no_python = shell("FOAM_PYTHON=/none/python '" FOAM_TEST_BINARY "' info robot.usda");
+    EXPECT_EQ(no_python.code, 3);
+    EXPECT_THAT(no_python.err, HasSubstr("'/none/python' cannot be started (No such file or directory); remedy: pip"));
+    write("wrong.usdz", "PK\x03\x04 and no layer");
+    const Outcome zip = foam("info wrong.usdz");
+    EXPECT_EQ(zip.code, 1);
+    EXPECT_THAT(zip.err, Not(HasSubstr("usd-core")));
+}
+
 } // namespace
 } // namespace foam::test

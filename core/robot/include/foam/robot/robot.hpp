@@ -84,6 +84,21 @@ struct Joint {
     int line = 0;                                ///< 1-based line in the source text; 0: of no text
 };
 
+/// Where a robot stands in the stage of USD that it was read from. Paths are those of prims.
+struct StageOfRobot {
+    struct Place {
+        std::string path;
+        /// Takes points of the link, in metres, to those of the prim: rows of a matrix for row vectors.
+        std::array<double, 16> from_metres{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        std::vector<std::string> colliders{}; ///< prims with the link's collision geometry
+    };
+    std::map<std::string, Place> links;    ///< by name
+    std::vector<std::string> instances;    ///< prims whose contents are shared with others
+    std::string default_prim;              ///< its name; empty: none
+    std::string up_axis = "Z";
+    double metres_per_unit = 1;
+};
+
 struct Robot {
     std::string name;
     std::string root;           ///< name of the root link
@@ -94,6 +109,7 @@ struct Robot {
     /// The text of the URDF that it was read from, unchanged, for write.urdf, which edits it; empty: write.urdf composes
     /// one. Nobody else reads it.
     std::string source;
+    std::shared_ptr<const StageOfRobot> stage{}; ///< null: it was not read from USD
 
     /// Returns the link; nullptr if no link has that name.
     const Link* find_link(const std::string& link) const;
