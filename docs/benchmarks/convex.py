@@ -181,15 +181,20 @@ TAIL = """## Repeating the measurement
 
 def main():
     program, robots, meshes = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-    text = HEAD
+
+    def put(text):  # what was measured is not lost
+        print(text, end="", flush=True)
+
+    put(HEAD)
     with tempfile.TemporaryDirectory() as folder:
         for name, robot in ROBOTS_OF.items():
-            text += table(program, name, str(robots / robot), pathlib.Path(folder))
-            print(name, file=sys.stderr)
-        text += pieces(program, meshes, pathlib.Path(folder))
+            put(table(program, name, str(robots / robot), pathlib.Path(folder)))
+        put(pieces(program, meshes, pathlib.Path(folder)))
     panda = str(robots / PANDA_OF_MOVEIT)
-    text += protrusions(program, panda) + capsules(program, {"Panda": panda, "UR5": str(robots / ROBOTS_OF["UR5"])})
-    print(text + bounds(str(robots / ROBOTS_OF["Panda"])) + TAIL, end="")
+    put(protrusions(program, panda))
+    put(capsules(program, {"Panda": panda, "UR5": str(robots / ROBOTS_OF["UR5"])}))
+    put(bounds(str(robots / ROBOTS_OF["Panda"])))
+    put(TAIL)
 
 
 if __name__ == "__main__":

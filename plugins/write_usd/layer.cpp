@@ -160,11 +160,11 @@ struct Over {
     Over& at(const std::vector<std::string>& parts) {
         Over* over = this;
         for (const std::string& part : parts) {
-            const auto found = std::ranges::find(over->children, part, [](const auto& child) { return child->name; });
+            auto found = std::ranges::find(over->children, part, [](const auto& child) { return child->name; });
             if (found == over->children.end()) {
-                over->children.push_back(std::make_unique<Over>(part));
+                found = over->children.insert(found, std::make_unique<Over>(part));
             }
-            over = found == over->children.end() ? over->children.back().get() : found->get();
+            over = found->get();
         }
         return *over;
     }

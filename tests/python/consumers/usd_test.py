@@ -168,7 +168,7 @@ def test_the_layer_lies_over_the_stage(kind, metre, up, tmp_path):
     own = stage.GetRootLayer()
     overs = []
     own.Traverse("/", lambda path: overs.append(path) if path.IsPrimPath() else None)
-    assert all(any(prim.GetPath() == path and prim.GetTypeName() for prim in alive) for path in overs), "every over is alive"
+    assert set(overs) <= {prim.GetPath() for prim in alive}, "every over is alive"
     on = {str(prim.GetPath()) for prim in alive if prim.HasAPI(UsdPhysics.CollisionAPI) and UsdPhysics.CollisionAPI(prim).GetCollisionEnabledAttr().Get()}
     assert on and all("/foam_spheres/" in path for path in on), "the old colliders are off"
     # What OpenUSD composes is what was proved: the layer's elements in metres, by link.
@@ -180,8 +180,12 @@ def test_the_layer_lies_over_the_stage(kind, metre, up, tmp_path):
         assert {shape["kind"] for shape in shapes} == {"mesh" if kind == "hull" else kind}
         if kind == "sphere":
             found = sorted([*(row[3] for row in shape["pose"]), shape["size"][0]] for shape in shapes)
-            wanted = sorted([*sphere["center"], sphere["radius"]] for sphere in made[name]["spheres"])
+            wanted = sorted(made[name]["spheres"])
             np.testing.assert_allclose(found, wanted, atol=2e-7)
+    composed = foam.load(out)
+    for link in links:
+        inner, outer = (np.asarray(one.collision_mesh(link).vertices) for one in (robot, composed))
+        assert (outer.min(axis=0) <= inner.min(axis=0) + 1e-6).all() and (outer.max(axis=0) >= inner.max(axis=0) - 1e-6).all()
     done = subprocess.run([os.environ["FOAM_TEST_BINARY"], "certify", file, out], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
