@@ -125,7 +125,7 @@ TEST(MjcfWhole, MeshesThatMuJoCoDoesNotReadBecomeObj) {
                                    folder.path());
     EXPECT_THAT(result.text, HasSubstr(R"(name="part" file="two_visuals/part.obj"/>)"));
     ASSERT_EQ(result.beside.size(), 1U);
-    EXPECT_THAT(result.beside.at("two_visuals/part.obj"), HasSubstr("v 0 0 0\nv 1 0 0\n"));
+    EXPECT_THAT(result.beside.at("two_visuals/part.obj"), HasSubstr("v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\n"));
     ASSERT_EQ(result.warnings.size(), 2U);
     EXPECT_THAT(result.warnings[0], HasSubstr("visual geometry is left out of tip: "));
     EXPECT_THAT(result.warnings[0] + result.warnings[1], HasSubstr("less than four corners"));

@@ -20,6 +20,7 @@ ROBOTS = [
     "baxter/example-robot-data/robots/baxter_description/urdf/baxter.urdf", "stretch/RE1V0/stretch_description_RE1V0_tool_stretch_gripper.urdf",
 ]  # fmt: skip
 CORNERS = np.array([(0, 0, 0), (0.3, 0, 0), (0, 0.2, 0), (0, 0, 0.1)])
+SHEET = np.array([(0, 0, 0), (0.3, 0, 0), (0, 0.2, 0), (0.3, 0.2, 0)])
 FACES = np.array([(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
 ARM = """<?xml version="1.0"?>
 <robot name="arm">
@@ -65,11 +66,11 @@ ARM = """<?xml version="1.0"?>
 def write_meshes(folder):
     """Write the same tetrahedron as binary and ASCII STL, OBJ and PLY, and a flat sheet."""
     folder.mkdir()
-    binary = lambda faces: bytes(80) + struct.pack("<I", len(faces)) + b"".join(  # noqa: E731
-        struct.pack("<12fH", 0, 0, 0, *CORNERS[face].ravel(), 0) for face in faces
+    binary = lambda facets: bytes(80) + struct.pack("<I", len(facets)) + b"".join(  # noqa: E731
+        struct.pack("<12fH", 0, 0, 0, *facet.ravel(), 0) for facet in facets
     )  # fmt: skip
-    (folder / "part.stl").write_bytes(binary(FACES))
-    (folder / "sheet.stl").write_bytes(binary([(0, 1, 2), (0, 2, 1), (0, 1, 3)]))
+    (folder / "part.stl").write_bytes(binary(CORNERS[FACES]))
+    (folder / "sheet.stl").write_bytes(binary(SHEET[np.array([(0, 1, 2), (1, 3, 2)])]))
     corner = lambda i: "vertex {} {} {}".format(*CORNERS[i])  # noqa: E731
     facets = (f"facet normal 0 0 0\nouter loop\n{corner(a)}\n{corner(b)}\n{corner(c)}\nendloop\nendfacet\n" for a, b, c in FACES)
     (folder / "words.stl").write_text("solid words\n" + "".join(facets) + "endsolid words\n")
@@ -208,7 +209,7 @@ def test_visuals_are_seen_where_they_are(arm, tmp_path, capfd):
     np.testing.assert_allclose(model.geom_rgba[box], [0.9, 0.1, 0.2, 0.5], rtol=1e-6)
     assert len(meshes) == 5
     turned = mjcf_truth.about((0, 0, 1), 0.3) @ mjcf_truth.about((1, 0, 0), 0.1)
-    wanted = [CORNERS * (1, -2, 1), CORNERS @ turned.T + (0, 0, 1), CORNERS, 2 * CORNERS, CORNERS]
+    wanted = [CORNERS * (1, -2, 1), CORNERS @ turned.T + (0, 0, 1), CORNERS, 2 * CORNERS, SHEET]
     for geom, corners in zip(meshes, wanted, strict=True):
         mesh = model.geom_dataid[geom]
         first, count = model.mesh_vertadr[mesh], model.mesh_vertnum[mesh]
