@@ -117,8 +117,8 @@ std::string MjcfWriter::whole_text(const SphereModel& model, Context& context) c
     return comment_text(model.provenance) + "<mujoco" + attribute_text("model", name) + ">\n" +
            "  <compiler angle=\"radian\" autolimits=\"true\"/>\n" +
            (servos ? "  <option integrator=\"implicitfast\"/>\n" : "") + // stiff servos of light links need it
-           default_text(bodies.has_shaped(), visuals) + asset_text(bodies.meshes(), visuals) + "  <worldbody>\n" + tree +
-           "  </worldbody>\n" + equality_text(model) + contact_text(model) + actuators +
+           default_text(bodies.has_shaped(), visuals) + asset_text(bodies.meshes(), visuals) + "  <worldbody>\n" +
+           tree + "  </worldbody>\n" + equality_text(model) + contact_text(model) + actuators +
            bodies.keyframe(actuators_ == Actuators::position) + "</mujoco>\n";
 }
 

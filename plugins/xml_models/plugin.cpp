@@ -175,8 +175,8 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                       .edits = true}});
     enrol.add<MjcfWriter>(
         {.name = "write.mjcf",
-         .summary = "Writes the robot as MJCF: bodies with their elements and visuals, joints, inertias, pairs without contact, the "
-                    "rest pose, and actuators.",
+         .summary = "Writes the robot as MJCF: bodies with their elements and visuals, joints, inertias, pairs without "
+                    "contact, the rest pose, and actuators.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
          .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
                             .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),

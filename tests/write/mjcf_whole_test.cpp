@@ -70,8 +70,8 @@ Written written(const std::string& urdf, const std::map<std::string, ParameterVa
 TEST(MjcfWhole, JointsKeepTheirLimitsAndLosses) {
     const Written all = written(two_links("revolute", R"(<axis xyz="0 1 0"/>
         <limit lower="-1" upper="2" effort="7" velocity="3"/><dynamics damping="0.5" friction="0.25"/>)"));
-    EXPECT_THAT(all.text, HasSubstr(R"(<joint name="j" axis="0 1 0" range="-1 2" actuatorfrcrange="-7 7" damping="0.5" )"
-                                    R"(frictionloss="0.25"/>)"));
+    EXPECT_THAT(all.text, HasSubstr(R"(<joint name="j" axis="0 1 0" range="-1 2" actuatorfrcrange="-7 7" )"
+                                    R"(damping="0.5" frictionloss="0.25"/>)"));
     EXPECT_THAT(all.warnings, ElementsAre());
     const Written none = written(two_links("revolute", R"(<limit lower="0" upper="0" effort="0" velocity="0"/>
         <dynamics damping="0"/>)"));
@@ -118,7 +118,8 @@ TEST(MjcfWhole, MeshesAreNamedFromTheOutput) {
 
 TEST(MjcfWhole, MeshesThatMuJoCoDoesNotReadBecomeObj) {
     const TemporaryFolder folder;
-    std::ofstream(folder.path() / "part.off") << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    std::ofstream(folder.path() / "part.off")
+        << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
     std::ofstream(folder.path() / "flat.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1\n";
     std::ofstream(folder.path() / "bad.off") << "OFF\n4 4 0\n0 0\n";
     const Written result = written(two_links("fixed", "", mesh("part.off") + mesh("flat.off") + mesh("bad.off")), {},
