@@ -225,8 +225,7 @@ TEST(MuJoCo, RefusesInertiasThatNoBodyHasSoTheyAreMended) {
         ASSERT_TRUE(mujoco.model);
         EXPECT_EQ(mujoco.model->body_mass[mj_name2id(mujoco.model, mjOBJ_BODY, "tip")], 3) << "the mass stays";
         ASSERT_EQ(context.warnings.size(), 1u);
-        EXPECT_EQ(context.warnings[0].find("MuJoCo refuses the inertia that the robot states for tip (/none/two.urdf:1)"),
-                  0u);
+        EXPECT_EQ(context.warnings[0].find("MuJoCo refuses the inertia that the robot states for tip (/none/two."), 0u);
     }
     WarningContext context;
     const SphereModel model = sphere_on_tip(two_links("base", inertial_of(3, 2, 3, 4)));

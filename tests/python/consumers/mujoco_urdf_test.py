@@ -198,7 +198,8 @@ def test_what_mujoco_keeps_of_a_urdf(arm, tmp_path, capfd):
     compare(ours, theirs, stated)
     check_geoms(ours)
     assert ours.joint("follow").range.tolist() == [-0.01, 0.05]
-    assert len(said) == 1 and "finger (" in said[0] and "arm.urdf:37)" in said[0] and "balanceinertia" in said[0]
+    refused = [one for one in said if "MuJoCo" in one]
+    assert len(refused) == 1 and re.search(r"states for finger \(.*arm.urdf:\d+\): a principal moment.*balanceinertia", refused[0])
 
 
 def test_visuals_are_seen_where_they_are(arm, tmp_path, capfd):
@@ -225,7 +226,8 @@ def test_a_file_without_visuals_stands_alone(arm, tmp_path):
     written(arm, tmp_path / "out" / "arm.xml", visuals=False)
     model = mujoco.MjModel.from_xml_string((tmp_path / "out" / "arm.xml").read_text())
     assert model.ngeom == 4 and not model.geom_group.any() and not (tmp_path / "out" / "arm_visuals").exists()
-    text = foam.load(arm).spherize(4, effort="fast").to_mujoco()
+    with warnings.catch_warnings(action="ignore"):
+        text = foam.load(arm).spherize(4, effort="fast").to_mujoco()
     assert mujoco.MjModel.from_xml_string(text).ngeom == 4
 
 
@@ -263,7 +265,7 @@ def plates(inertias):
 @pytest.mark.parametrize("surplus", [0, 1e-16, -1e-15, -1e-13, -1e-10, 1e-15])
 def test_plates_are_bodies_whatever_rounding_says(surplus, tmp_path, capfd):
     random = np.random.default_rng(1)
-    wanted = [random_inertia(random, surplus) for _ in range(200)]
+    wanted = [random_inertia(random, surplus) for _ in range(60)]
     (tmp_path / "plates.urdf").write_text(plates(wanted))
     said = written(tmp_path / "plates.urdf", tmp_path / "plates.xml")
     model = loaded(tmp_path / "plates.xml", capfd)
