@@ -13,7 +13,7 @@ import pytest
 
 import foam
 
-SHARED = Path(os.environ.get("FOAM_SHARED", Path(__file__).parents[4] / "shared"))
+SHARED = Path(os.environ.get("FOAM_SHARED", Path(__file__).parents[4] / "shared")).resolve()
 ROBOTS = [
     "panda/moveit_resources_panda_description/urdf/panda.urdf", "ur5/example-robot-data/robots/ur_description/urdf/ur5_robot.urdf",
     "iiwa/model.urdf", "jaco/kinova_description/urdf/j2s7s300.urdf", "fetch/fetch_description/robots/fetch.urdf",
@@ -81,6 +81,11 @@ def write_meshes(folder):
     (folder / "other.ply").write_text(head + "\n".join(rows) + "\n" + "".join(f"3 {a} {b} {c}\n" for a, b, c in FACES))
 
 
+@pytest.fixture(autouse=True)
+def elsewhere(monkeypatch, tmp_path_factory):
+    monkeypatch.chdir(tmp_path_factory.mktemp("here"))  # where MuJoCo writes down its warnings
+
+
 @pytest.fixture(scope="module")
 def arm(tmp_path_factory):
     folder = tmp_path_factory.mktemp("robot")
@@ -101,10 +106,12 @@ def written(urdf, file, **settings):
 
 def loaded(file, capfd):
     """Return the model, of which MuJoCo says nothing."""
+    log = Path("MUJOCO_LOG.TXT")
+    log.unlink(missing_ok=True)
     capfd.readouterr()
     model = mujoco.MjModel.from_xml_path(str(file))
     said = capfd.readouterr()
-    assert "WARNING" not in said.out + said.err
+    assert "WARNING" not in said.out + said.err and not log.exists()
     return model
 
 
