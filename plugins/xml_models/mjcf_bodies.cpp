@@ -1,7 +1,5 @@
 #include "mjcf_bodies.hpp"
 
-#include "mjcf_joints.hpp"
-
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
@@ -55,22 +53,55 @@ std::string MjcfBodies::text() {
     return std::move(text_);
 }
 
-std::vector<const Joint*> MjcfBodies::driven() const {
-    std::vector<const Joint*> result;
+std::vector<DrivenJoint> MjcfBodies::driven() const {
+    std::map<std::string, Pose> poses;
+    const std::vector<Pose> at = kinematics_.link_poses(kinematics_.configuration(rest_pose()));
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        poses[model_.robot->links[i].name] = at[i];
+    }
+    std::vector<DrivenJoint> result;
     for (const std::size_t index : joints_) {
         const Joint& joint = model_.robot->joints[index];
         const JointMotion& motion = kinematics_.motions()[index];
         if (motion.freedom && kinematics_.freedoms()[*motion.freedom].joint == joint.name) {
-            result.push_back(&joint);
+            result.push_back({&joint, moved_inertia(joint, poses)});
         }
     }
     return result;
 }
 
-std::string MjcfBodies::keyframe(bool targets) const {
+JointValues MjcfBodies::rest_pose() const {
     JointValues values = model_.facts.default_pose;
     values.insert(locked_.begin(), locked_.end());
-    const std::vector<double> configuration = kinematics_.configuration(values);
+    return values;
+}
+
+/// Returns the inertia of all that hangs on a joint: kg m² about its axis, or kg along it.
+double MjcfBodies::moved_inertia(const Joint& joint, const std::map<std::string, Pose>& poses) const {
+    const Pose& at = poses.at(joint.child); // the axis turns nothing of itself
+    const Vec3 axis = at.rotate(joint.axis);
+    double inertia = 0;
+    for (const std::string& link : links_below(*model_.robot, joint.child)) {
+        const auto found = inertias_.written().find(link);
+        if (found == inertias_.written().end()) {
+            continue;
+        }
+        const MassProperties& mass = found->second;
+        if (joint.kind == Joint::Kind::prismatic) {
+            inertia += mass.mass;
+            continue;
+        }
+        const Pose& pose = poses.at(link);
+        const Vec3 arm = cross(axis, pose * mass.center - at.translation), own = pose.inverse().rotate(axis);
+        const auto& [xx, yy, zz, xy, xz, yz] = mass.inertia;
+        inertia += mass.mass * dot(arm, arm) + xx * own.x * own.x + yy * own.y * own.y + zz * own.z * own.z +
+                   2 * (xy * own.x * own.y + xz * own.x * own.z + yz * own.y * own.z);
+    }
+    return inertia;
+}
+
+std::string MjcfBodies::keyframe(bool targets) const {
+    const std::vector<double> configuration = kinematics_.configuration(rest_pose());
     std::vector<double> positions, controls;
     if (free_) {
         positions = {0, 0, 0, 1, 0, 0, 0};

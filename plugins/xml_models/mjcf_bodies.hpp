@@ -3,6 +3,7 @@
 
 #include "mjcf.hpp"
 #include "mjcf_inertias.hpp"
+#include "mjcf_joints.hpp"
 #include "mjcf_visuals.hpp"
 
 #include <foam/robot/kinematics.hpp>
@@ -31,7 +32,7 @@ public:
     /// Returns the meshes of hulls. Call it after text().
     const std::vector<std::string>& meshes() const { return shapes_.meshes(); }
     /// Returns the joints that move and mimic no other, in the order of the bodies. Call it after text().
-    std::vector<const Joint*> driven() const;
+    std::vector<DrivenJoint> driven() const;
     /// Returns the <keyframe> with the rest pose; empty where all joints rest at zero. Call it after text():
     /// qpos has the order of the bodies. `targets`: whether the controls are the positions of driven().
     std::string keyframe(bool targets) const;
@@ -44,6 +45,8 @@ private:
     void add_geoms(const std::string& link, std::size_t depth);
     void add_children(const std::string& link, std::size_t depth);
     bool moves(const Joint& joint) const;
+    JointValues rest_pose() const;
+    double moved_inertia(const Joint& joint, const std::map<std::string, Pose>& poses) const;
     bool carries_mass(const std::string& link) const;
 
     const SphereModel& model_;

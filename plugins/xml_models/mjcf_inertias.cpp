@@ -187,6 +187,7 @@ std::string MjcfInertias::accepted_text(const std::string& link, MassProperties 
         raised_.push_back(link);
     }
     raise_above_rounding(mass);
+    written_[link] = mass;
     return "<inertial" + attribute_text("pos", vector_text(mass.center)) +
            attribute_text("mass", numbers_text({&mass.mass, 1})) +
            attribute_text("fullinertia", numbers_text(mass.inertia)) + "/>";

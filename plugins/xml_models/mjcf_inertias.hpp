@@ -6,6 +6,7 @@
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/model.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ public:
     /// Returns the <inertial> of a link; empty for one that needs none. `elements`: of the link. `needed`: whether
     /// MuJoCo refuses the body without. Throws Error for mass properties that cannot be read.
     std::string text(const std::string& link, const Elements& elements, bool needed);
+    /// Returns the mass properties that text() has written, by link.
+    const std::map<std::string, MassProperties>& written() const { return written_; }
     /// Logs a warning for each way in which masses are not those that the robot states.
     void report(Context& context) const;
 
@@ -41,6 +44,7 @@ private:
 
     const SphereModel& model_;
     double density_;
+    std::map<std::string, MassProperties> written_;
     std::vector<std::string> impossible_; ///< links whose stated inertia is not positive
     std::vector<std::string> balanced_;   ///< links one of whose stated moments is larger than the sum of the others
     std::vector<std::string> raised_;     ///< links whose mass or inertia is below what MuJoCo takes

@@ -1,6 +1,8 @@
 // What MuJoCo reads: doc/XMLreference.rst (asset/mesh), tried with MuJoCo 4.0.
 #include "mjcf_visuals.hpp"
 
+#include "mjcf_joints.hpp"
+
 #include <foam/base/cancellation.hpp>
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
@@ -88,22 +90,6 @@ std::string mesh_attributes(const std::string& asset, const Pose& pose) {
     return attribute_text("type", "mesh") + attribute_text("mesh", asset) +
            (pose.translation == Vec3{} ? "" : attribute_text("pos", vector_text(pose.translation))) +
            (pose.rotation == Pose{}.rotation ? "" : attribute_text("quat", numbers_text(quaternion(pose))));
-}
-
-/// Returns the links that the base carries, itself among them.
-std::set<std::string> links_below(const Robot& robot, const std::string& base) {
-    std::set<std::string> links{base};
-    std::vector<std::string> next{base};
-    while (!next.empty()) {
-        const std::string link = next.back();
-        next.pop_back();
-        for (const Joint& joint : robot.joints) {
-            if (joint.parent == link && links.insert(joint.child).second) {
-                next.push_back(joint.child);
-            }
-        }
-    }
-    return links;
 }
 
 } // namespace

@@ -316,12 +316,26 @@ def test_actuators(arm, tmp_path, capfd):
         assert [model.actuator(a).name for a in range(model.nu)] == ["turn", "spin", "slide"], "one that follows has none"
         assert [model.joint(model.actuator_trnid[a][0]).name for a in range(model.nu)] == ["turn", "spin", "slide"]
     servo = made["position"]
-    np.testing.assert_allclose(servo.actuator_gainprm[:, 0], [40 / (0.02 * 3.5), 9 / (0.02 * 2 * np.pi), 20 / (0.02 * 0.04)])
+    # The finger is light: its servo is as fast as 200 rad/s. So is the wheel with that of the velocity.
+    np.testing.assert_allclose(servo.actuator_gainprm[:, 0], [40 / (0.02 * 3.5), 9 / (0.02 * 2 * np.pi), 4e4 * 0.2], rtol=1e-9)
     np.testing.assert_allclose(servo.actuator_ctrlrange, [[-1.5, 2], [0, 0], [0, 0.04]])
     np.testing.assert_allclose(servo.actuator_forcerange, [[-40, 40], [-9, 9], [-20, 20]])
-    np.testing.assert_allclose(made["velocity"].actuator_gainprm[:, 0], [40 / 2, 9 / 3, 20 / 1])
+    np.testing.assert_allclose(made["velocity"].actuator_gainprm[:, 0], [40 / 2, 200 * 0.002, 20 / 1], rtol=1e-9)
     np.testing.assert_allclose(made["velocity"].actuator_ctrlrange, [[-2, 2], [-3, 3], [-1, 1]])
     np.testing.assert_allclose(made["motor"].actuator_ctrlrange, [[-40, 40], [-9, 9], [-20, 20]])
+
+
+def reflected(model):
+    """Return the inertia that each actuator moves, in the rest pose."""
+    data = mujoco.MjData(model)
+    if model.nkey:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    found, force = [], np.zeros(model.nv)
+    for dof in model.jnt_dofadr[model.actuator_trnid[:, 0]]:
+        mujoco.mj_mulM(model, data, force, np.eye(model.nv)[dof])
+        found.append(force[dof])
+    return np.array(found)
 
 
 def held(model, seconds):
@@ -352,5 +366,6 @@ def test_robots(robot, tmp_path, capfd):
     ours = loaded(tmp_path / "out" / "robot.xml", capfd)
     compare(ours, *imported(urdf, tmp_path))
     check_geoms(ours)
+    assert (ours.actuator_gainprm[:, 0] <= 200**2 * reflected(ours) * (1 + 1e-9)).all()
     assert (ours.geom_group == 2).sum() == len(ET.parse(urdf).findall("link/visual"))
     held(ours, 1)
