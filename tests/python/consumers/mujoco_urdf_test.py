@@ -115,15 +115,24 @@ def loaded(file, capfd):
     return model
 
 
+def has_mass(link):
+    """Return whether the URDF states a mass of a link and an inertia that is positive, which MuJoCo wants."""
+    mass, inertia = link.find("inertial/mass"), link.find("inertial/inertia")
+    if mass is None or inertia is None or not float(mass.get("value")) > 0:
+        return False
+    xx, yy, zz, xy, xz, yz = (float(inertia.get(name)) for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"))
+    moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return moments[0] > 1e-14 and moments[0] > 1e-12 * moments[2]
+
+
 def imported(urdf, folder):
-    """Return MuJoCo's own import of a URDF, without geometry, and the links whose mass the URDF states."""
+    """Return MuJoCo's own import of a URDF, without geometry, and the links whose mass it takes from there."""
     root = ET.fromstring(re.sub(r"<!--.*?-->", "", urdf.read_text(), flags=re.S))
     stated = []
     for link in root.findall("link"):
         for geometry in link.findall("visual") + link.findall("collision"):
             link.remove(geometry)
-        mass = link.find("inertial/mass")
-        if mass is not None and float(mass.get("value")) > 0:
+        if has_mass(link):
             stated.append(link.get("name"))
         else:  # MuJoCo refuses to move it
             for inertial in link.findall("inertial"):
