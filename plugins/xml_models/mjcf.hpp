@@ -5,12 +5,14 @@
 #include <foam/geometry/vector.hpp>
 #include <foam/sdk/elements.hpp>
 #include <foam/sdk/model.hpp>
+#include <foam/sdk/plugin.hpp>
 #include <foam/sdk/stage.hpp>
 #include <foam/sdk/writing.hpp>
 #include <foam/xml/document.hpp>
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -148,19 +150,31 @@ std::string with_spheres(const TextFile& into, const std::vector<LinkSpheres>& l
 /// Returns ` <exclude body1=… body2=…/>` of a pair, without the blank.
 std::string exclude_text(const IgnoredPair& pair);
 
+/// What moves the joints of a file that is written whole. The words in the parameter are those of the enumeration.
+enum class Actuators { none, position, velocity, motor };
+Actuators actuators_named(const std::string& word);
+
 class MjcfWriter final : public Writer {
 public:
-    explicit MjcfWriter(const Parameters& parameters);
+    MjcfWriter(const Parameters& parameters, const StageMaker& maker);
+    ~MjcfWriter() override;
     std::string write(const SphereModel& model, Context& context) const override;
     std::map<std::string, Elements> read(const std::string& bytes,
                                          const std::map<std::string, std::string>& beside) const override;
+    std::map<std::string, std::string> files_beside(const SphereModel& model, Context& context) const override;
 
 private:
+    /// Returns the text of a robot that was read from no MJCF.
+    std::string whole_text(const SphereModel& model, Context& context) const;
+
     KnownKinds known_;
     bool free_;
     double density_;          ///< kg/m³
     bool replaces_collision_; ///< in a file of the user
     PairEdit pairs_;          ///< in a file of the user
+    bool visuals_;
+    Actuators actuators_;
+    std::unique_ptr<MeshLoader> meshes_; ///< null if no plugin has it
 };
 
 class MjcfReader final : public ModelReader {

@@ -175,7 +175,8 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                       .edits = true}});
     enrol.add<MjcfWriter>(
         {.name = "write.mjcf",
-         .summary = "Writes the robot as MJCF: bodies with their elements, joints, inertias, pairs without contact and the rest pose.",
+         .summary = "Writes the robot as MJCF: bodies with their elements and visuals, joints, inertias, pairs without "
+                    "contact, the rest pose, and actuators.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
          .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
                             .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),
@@ -187,10 +188,19 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
                         foam::segments_parameter(),
                         Parameter::boolean("collision", false)
                             .doc("With 'into': also replace geoms with contact that are no spheres."),
-                        foam::pairs_parameter()},
+                        foam::pairs_parameter(),
+                        Parameter::boolean("visuals", true)
+                            .doc("Write the visual geometry of the robot, which names its mesh files. false: the file "
+                                 "stands alone, and its elements are seen."),
+                        Parameter::choice("actuators", {"none", "position", "velocity", "motor"}, "none")
+                            .doc("What moves each joint. position: a servo that reaches the effort at an error of a "
+                                 "fiftieth of the range; velocity: one that reaches it at an error of the greatest "
+                                 "velocity; motor: a force up to the effort.")
+                            .source("MuJoCo's import of URDF makes none.")},
          .extensions = {"xml", "mjcf"},
+         .uses = {"load.mesh"},
          .kinds = foam::every_kind(),
-         .consumer = {.name = "MuJoCo 2.2.2 and 3.12 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
+         .consumer = {.name = "MuJoCo 3.2.5 to 4.0 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",
                            .summary = "Reads the spheres of links of an SRDF: link_sphere_approximation.",
                            .reference = "https://github.com/moveit/srdfdom",

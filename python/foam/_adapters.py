@@ -59,7 +59,8 @@ def to_mujoco(model: SphereModel, spec: Any, bodies: Mapping[str, str] | None, g
 
     with warnings.catch_warnings():  # of masses, which stay those of the spec
         warnings.simplefilter("ignore")
-        text = None if model._robot is None else next(iter(files_of(model, "mjcf", f"{model.name}.xml", {}, None).values()))
+        made = files_of(model, "mjcf", f"{model.name}.xml", {}, {"visuals": False}) if model._robot is not None else {}
+        text = next(iter(made.values()), None)
     return add_to_spec(mujoco, model, text, spec, names, group, pairs)
 
 

@@ -206,7 +206,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
     ) -> Any:
         """Put the elements into the bodies of a mujoco.MjSpec as geoms without mass; return their number.
 
-        Without a spec: return an MJCF text of the robot. `bodies`: the body of each link, where the names differ.
+        Without a spec: return an MJCF text of the robot, without visuals, as these name files. `bodies`: the body of each link, where the names differ.
         `pairs`: pairs of links that are excluded, such as foam.self_collision(…).ignored().
 
         The geoms take the place of those that have contact: these stay as they look, with contype and conaffinity 0, and
@@ -215,7 +215,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         proved again on the geoms of the spec.
         """
         if spec is None:
-            return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, None)[f"{self.name}.xml"]
+            return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, {"visuals": False})[f"{self.name}.xml"]
         return _adapters.to_mujoco(self, spec, bodies, group, pairs)
 
     def to_trimesh(self) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from formats import ROBOTS, SHARED_ROBOTS, foam, tool_of  # noqa: E402
 FORMATS = {"dart": ["urdf"], "ros": ["markers"], "pyyaml": ["curobo", "xrdf", "lula", "bubblify", "plainmp", "markers"],
            "yaml": ["curobo", "xrdf", "lula", "bubblify", "plainmp", "markers"], "mujoco": ["mjcf"], "tinyusdz": ["usd"],
            "gltf": ["gltf"]}
+SETTINGS = {"mjcf": ["--set", "visuals=false"]}  # the parser gets the text without the files that visuals are
 IN_PYTHON = {"dart", "ros", "pyyaml"}
 FEW_ROBOTS = {"pyyaml", "yaml", "tinyusdz"}  # of which the texts have little, and take seconds each for the pairs
 
@@ -34,7 +35,7 @@ def make(folder, robot, urdf, formats, program, placed_spheres):
     pose = [f"--pose={joint}={value}" for joint, value in list(first.items())[:1]]
     for name in formats:
         made = foam(program, "convert", folder / "model.csv", urdf, "--format", name, "-o", folder / f"model.{name}",
-                    "--tool-frame", tool_of(urdf), *pose)
+                    "--tool-frame", tool_of(urdf), *pose, *SETTINGS.get(name, []))
         if made.returncode:
             sys.exit(f"{robot}, {name}: {made.stderr}")
 
