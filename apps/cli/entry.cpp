@@ -7,6 +7,7 @@
 #include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>

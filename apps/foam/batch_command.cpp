@@ -1,9 +1,9 @@
 // foam batch: spheres for data sets.
 #include "cli/files.hpp"
-#include "robot_options.hpp"
 #include "cli/messages.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
+#include "robot_options.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>

@@ -95,8 +95,7 @@ static std::string tips_text(const Robot& robot) {
 /// Returns what to do for a writer without tool frames.
 static std::string without_tool_frames(const std::string& writer, const Robot* robot) {
     return fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
-                       "{{tool_frames: [LINK]}} in the recipe, --set robot.tool_frames=[LINK], or "
-                       "tool_frames=[\"LINK\"] in Python",
+                       "{{tool_frames: [LINK]}} in the recipe, or tool_frames=[\"LINK\"] in Python",
                        writer, robot ? "; the last links of the robot are " + tips_text(*robot) : "");
 }
 
