@@ -141,6 +141,21 @@ TEST_F(CliRobotOptions, JointsAreLocked) {
     }
 }
 
+TEST_F(CliRobotOptions, PicturesShowWhatIsChosen) {
+    const auto picture = [&](const std::string& arguments) {
+        const Outcome outcome = foam("gallery gripper.urdf 4 --size 300x100 --force -o a.png " + arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return contents(path() / "a.png");
+    };
+    const std::string usual = picture("");
+    EXPECT_NE(picture("--lock turn=1"), usual);
+    EXPECT_EQ(picture("--lock turn=0"), usual);
+    EXPECT_NE(picture("--skip base"), usual);
+    EXPECT_EQ(picture("--keep '*'"), usual);
+    const Outcome page = foam("view gripper.urdf -n 4 --keep hand --html page.html");
+    EXPECT_EQ(page.code, 0) << page.err;
+}
+
 TEST_F(CliRobotOptions, TheToolFrameIsTheOneTip) {
     std::string one_tip = gripper;
     one_tip = one_tip.substr(0, one_tip.find("  <link name=\"finger left\">")) +

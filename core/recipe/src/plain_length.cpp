@@ -84,7 +84,7 @@ std::string question_about(const PlainLength& length, double size, std::string_v
     }
     return fmt::format("{} is {}, larger than {} ({}){}; if it is in millimetres: {}mm", length.name,
                        length_text(length.metres), of, length_text(size),
-                       length.name == "max_protrusion" ? ": it has no effect" : "", to_text(length.metres));
+                       length.name == "max_protrusion" ? ": it has no effect" : "", number_text(length.metres));
 }
 
 } // namespace foam::inline recipe

@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/parameter.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

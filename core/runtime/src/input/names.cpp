@@ -59,7 +59,7 @@ public:
     void check_held(const JointValues& held, const Location& where, const char* key) {
         for (const auto& [joint, position] : held) {
             if (const std::string why = why_not_held(robot_, joint, position); !why.empty()) {
-                add(Diagnostic::Level::error, where, "unknown-joint", fmt::format("'{}': {}", key, why));
+                add(Diagnostic::Level::error, where, "not-held", fmt::format("'{}': {}", key, why));
             }
         }
     }
