@@ -37,7 +37,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
-/// Returns the other commands that have the option, for a message: "; foam spherize and foam convert have it". Empty: none.
+/// Returns the commands that have the option, for a message: "; foam spherize and foam convert have it"; empty if none.
 std::string others_with(const std::string& name, const CLI::App& app) {
     std::vector<std::string> others;
     for (const CLI::App* command : app.get_subcommands(nullptr)) {

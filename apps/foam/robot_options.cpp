@@ -19,12 +19,13 @@ struct Row {
 };
 
 const Row rows[] = {
-    {RobotOption::keep, "--keep", "GLOB", "Work only on links that match; the others keep their geometry; repeatable",
-     &RobotOptions::keep},
+    {RobotOption::keep, "--keep", "GLOB",
+     "Work only on links that match; the others keep their geometry; repeatable", &RobotOptions::keep},
     {RobotOption::skip, "--skip", "GLOB", "Leave out links that match: they keep their geometry; repeatable",
      &RobotOptions::skip},
     {RobotOption::weight, "--weight", "GLOB=NUMBER",
-     "Factor of the excess volume of links that match, when elements are allocated: with more they get more; repeatable",
+     "Factor of the excess volume of links that match, when elements are allocated: with more they get more; "
+     "repeatable",
      &RobotOptions::weights},
     {RobotOption::lock, "--lock", "JOINT=VALUE", "A joint that stands still, and its position, rad or m; repeatable",
      &RobotOptions::locks},
@@ -34,7 +35,8 @@ const Row rows[] = {
     {RobotOption::pad, "--pad", "M", "Add a length to all radii: 1cm, 10mm, or a number of metres", nullptr,
      &RobotOptions::pad},
     {RobotOption::geometry, "--geometry", "WHICH",
-     "The geometry of a robot that counts: collision, visual, both or collision-or-visual", nullptr,
+     "The geometry of a robot that elements cover and are judged by: collision, visual, both or collision-or-visual",
+     nullptr,
      &RobotOptions::geometry},
 };
 
@@ -115,7 +117,8 @@ JointValues positions_of(const std::vector<std::string>& texts, const char* opti
         const std::size_t equals = text.rfind('=');
         const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
         if (!value || equals == 0) {
-            throw Error(ErrorCode::usage, fmt::format("{} expects JOINT=NUMBER, in rad or m, got '{}'", option, shown(text)));
+            throw Error(ErrorCode::usage,
+                        fmt::format("{} expects JOINT=NUMBER, in rad or m, got '{}'", option, shown(text)));
         }
         if (!values.emplace(text.substr(0, equals), *value).second) {
             throw Error(ErrorCode::usage, fmt::format("{} is given twice for joint '{}'; remedy: once", option,

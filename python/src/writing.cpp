@@ -54,8 +54,8 @@ void complete(SphereModel& model, const SphereFile& spheres, const Original* ori
     }
 }
 
-/// Takes the one tip of the robot as tool frame where the writer needs one. Throws Error(usage) for a joint that cannot be
-/// held, and where there are several tips.
+/// Takes the one tip of the robot as tool frame where the writer needs one. Throws Error(usage) for a joint that cannot
+/// be held, and where there are several tips.
 void complete_facts(RobotFacts& facts, const Robot& robot, const StageInfo& writer, bool into) {
     for (const auto& [joint, position] : has_only_names(robot) ? JointValues{} : facts.lock_joints) {
         if (const std::string why = why_not_held(robot, joint, position); !why.empty()) {

@@ -203,7 +203,8 @@ TEST_F(CliRobotOptions, PaddingIsOneOption) {
     EXPECT_THAT(foam("spherize gripper.urdf -n 8 --pad 10mm --print-recipe").out, HasSubstr("pad: 0.01m\n"));
     const Outcome judged = foam("evaluate gripper.urdf model.csv --pad 3cm --json");
     ASSERT_EQ(judged.code, 0) << judged.err;
-    EXPECT_GT(json::parse(judged.out)["total"]["excess"], json::parse(foam("evaluate gripper.urdf model.csv --json").out)["total"]["excess"]);
+    EXPECT_GT(json::parse(judged.out)["total"]["excess"],
+              json::parse(foam("evaluate gripper.urdf model.csv --json").out)["total"]["excess"]);
     for (const char* command : {"spherize gripper.urdf -n 8 -o a.csv", "convert model.csv gripper.urdf -o o.csv",
                                 "certify gripper.urdf model.csv", "batch box.obj -n 2 --run-dir made"}) {
         EXPECT_THAT(refusal(std::string(command) + " --pad=-1cm"), HasSubstr("--pad expects a length of at least 0"));
@@ -232,8 +233,10 @@ TEST_F(CliRobotOptions, ALengthAboveTheRobotIsQuestioned) {
 TEST_F(CliRobotOptions, AnOptionWithoutMeaningNamesTheCommandsThatHaveIt) {
     EXPECT_THAT(refusal("info gripper.urdf --weight hand=2"),
                 HasSubstr("foam info has no option '--weight'; foam spherize, foam approximate"));
-    EXPECT_THAT(refusal("batch box.obj -n 2 --run-dir made --skip hand"), HasSubstr("foam batch has no option '--skip'"));
-    EXPECT_THAT(refusal("info gripper.urdf --skipp hand"), HasSubstr("unknown option '--skipp'; did you mean '--skip'?"));
+    EXPECT_THAT(refusal("batch box.obj -n 2 --run-dir made --skip hand"),
+                HasSubstr("foam batch has no option '--skip'"));
+    EXPECT_THAT(refusal("info gripper.urdf --skipp hand"),
+                HasSubstr("unknown option '--skipp'; did you mean '--skip'?"));
 }
 
 } // namespace

@@ -50,7 +50,8 @@ private:
         const auto parameter =
             std::find_if(declared.begin(), declared.end(), [&](const Parameter& p) { return p.name == name; });
         if (parameter != declared.end() && is_length(*parameter)) {
-            found.push_back({name + owner, item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real});
+            const double metres = item.is(Value::Kind::integer) ? static_cast<double>(item.whole) : item.real;
+            found.push_back({name + owner, metres});
         }
     }
 

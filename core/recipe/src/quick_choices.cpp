@@ -27,7 +27,7 @@ struct Entry {
         if (weight) {
             parts.push_back("weight: " + to_text(*weight));
         }
-        return fmt::format("  {}: {{{}}}\n", quoted(glob), fmt::join(parts, ", "));
+        return fmt::format("  {}: {{{}}}\n", json_string(glob), fmt::join(parts, ", "));
     }
 };
 
@@ -59,7 +59,7 @@ std::vector<Entry> entries_of(const RobotChoices& choices) {
 
 } // namespace
 
-std::string quoted(const std::string& text) {
+std::string json_string(const std::string& text) {
     try {
         return nlohmann::json(text).dump();
     } catch (const nlohmann::json::type_error&) {
@@ -73,12 +73,12 @@ std::string robot_keys(const RobotChoices& choices) {
     std::string text;
     if (!choices.tool_frames.empty()) {
         std::vector<std::string> frames;
-        std::transform(choices.tool_frames.begin(), choices.tool_frames.end(), std::back_inserter(frames), &quoted);
+        std::transform(choices.tool_frames.begin(), choices.tool_frames.end(), std::back_inserter(frames), &json_string);
         text += fmt::format("  tool_frames: [{}]\n", fmt::join(frames, ", "));
     }
     std::vector<std::string> locks;
     for (const auto& [joint, position] : choices.locks) {
-        locks.push_back(fmt::format("{}: {}", quoted(joint), to_text(position)));
+        locks.push_back(fmt::format("{}: {}", json_string(joint), to_text(position)));
     }
     return text + (locks.empty() ? "" : fmt::format("  lock_joints: {{{}}}\n", fmt::join(locks, ", ")));
 }

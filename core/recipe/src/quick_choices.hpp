@@ -16,6 +16,6 @@ std::string links_key(const RobotChoices& choices);
 void refuse_choices_of_mesh(const RobotChoices& choices, const std::string& file);
 
 /// Returns a text as a JSON string, which is a YAML string. Throws Error(usage) for one that is not UTF-8.
-std::string quoted(const std::string& text);
+std::string json_string(const std::string& text);
 
 } // namespace foam::inline recipe

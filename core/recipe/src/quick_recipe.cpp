@@ -234,8 +234,8 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     QuickRecipe recipe;
     recipe.name = plain_name(input) + (method.elements ? "_elements" : "_spheres");
     recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
-    recipe.text = fmt::format("foam: 1\nname: {}\n", quoted(recipe.name));
-    const std::string file = quoted(std::filesystem::absolute(input).lexically_normal().string());
+    recipe.text = fmt::format("foam: 1\nname: {}\n", json_string(recipe.name));
+    const std::string file = json_string(std::filesystem::absolute(input).lexically_normal().string());
     if (is_mesh(input, registry)) {
         refuse_choices_of_mesh(choices, input.string());
     }
@@ -278,7 +278,7 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     }
     recipe.text += links_key(choices);
     recipe.text +=
-        fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, quoted(recipe.output));
+        fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, json_string(recipe.output));
     return recipe;
 }
 

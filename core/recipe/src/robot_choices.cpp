@@ -56,7 +56,8 @@ std::string instead_of(const std::string& glob, const std::vector<std::string>& 
     if (const std::string near = nearest_link(glob, names); !near.empty()) {
         return fmt::format("; did you mean '{}'?", shown(near));
     }
-    std::vector<std::string> first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())));
+    std::vector<std::string> first = names;
+    first.resize(std::min(most, names.size()));
     std::transform(first.begin(), first.end(), first.begin(), [](const std::string& name) { return shown(name); });
     return fmt::format("; there are: {}{}", fmt::join(first, ", "), names.size() > most ? ", …" : "");
 }
@@ -98,8 +99,8 @@ void require_choices(const RobotChoices& choices, const Robot& robot, const char
     require_globs(weighed, robot, fmt::format("{}weight", dashes));
     if (std::none_of(robot.links.begin(), robot.links.end(),
                      [&](const Link& link) { return is_chosen(choices, link.name); })) {
-        throw Error(ErrorCode::usage, fmt::format("{0}keep and {0}skip leave no link of {1}; remedy: skip fewer", dashes,
-                                                  name_of(robot)));
+        throw Error(ErrorCode::usage,
+                    fmt::format("{0}keep and {0}skip leave no link of {1}; remedy: skip fewer", dashes, name_of(robot)));
     }
     for (const auto& [joint, position] : choices.locks) {
         if (const std::string why = why_not_held(robot, joint, position); !why.empty()) {

@@ -53,9 +53,9 @@ std::string why_not_held(const Robot& robot, const std::string& name, double pos
     }
     const bool limited = joint->kind != Joint::Kind::continuous && joint->limited && joint->lower <= joint->upper;
     if (limited && (position < joint->lower || position > joint->upper)) {
-        return fmt::format("joint '{}' moves from {} to {} {}, and {} is outside", shown(name), number_text(joint->lower),
-                           number_text(joint->upper), joint->kind == Joint::Kind::prismatic ? "m" : "rad",
-                           number_text(position));
+        return fmt::format("joint '{}' moves from {} to {} {}, and {} is outside", shown(name),
+                           number_text(joint->lower), number_text(joint->upper),
+                           joint->kind == Joint::Kind::prismatic ? "m" : "rad", number_text(position));
     }
     return "";
 }

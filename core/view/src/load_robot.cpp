@@ -128,8 +128,8 @@ void set_joints(NamedPose& pose, const JointValues& values, const Kinematics& ki
     }
 }
 
-/// Sets of each link whether spheres are judged by it: of those that are chosen. Spheres are not judged by the spheres of
-/// a sphere model.
+/// Sets of each link whether spheres are judged by it: of those that are chosen. Spheres are not judged by the spheres
+/// of a sphere model.
 void judge_links(ViewedRobot& robot, const SubjectOptions& options) {
     const bool by_model = is_sphere_model(*robot.robot) && options.geometry != CoveredGeometry::visual;
     const Robot covered = with_covered_geometry(*robot.robot, options.geometry);

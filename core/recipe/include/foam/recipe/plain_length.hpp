@@ -13,8 +13,8 @@ struct PlainLength {
     double metres = 0;
 };
 
-/// Returns a question about a length that is larger than `of` ("the whole input"), whose size is `size` in m: the length,
-/// the size, and how to write it in millimetres. Empty: it is not larger, or the size is not above 0.
+/// Returns a question about a length that is larger than `of` ("the whole input"), whose size is `size` in m: the
+/// length, the size, and how to write it in millimetres. Empty: it is not larger, or the size is not above 0.
 std::string question_about(const PlainLength& length, double size, std::string_view of);
 
 } // namespace recipe
