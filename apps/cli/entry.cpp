@@ -7,6 +7,7 @@
 #include <foam/runtime/process.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -36,6 +37,24 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+/// Returns the commands that have the option, for a message: "; foam spherize and foam convert have it"; empty if none.
+std::string others_with(const std::string& name, const CLI::App& app) {
+    std::vector<std::string> others;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        const CLI::Option* option = command->get_option_no_throw(name);
+        if (option && shown_in_help(option)) {
+            others.push_back("foam " + command->get_name());
+        }
+    }
+    if (others.empty()) {
+        return "";
+    }
+    const std::string last = others.back();
+    others.pop_back();
+    return others.empty() ? fmt::format("; {} has it", last)
+                          : fmt::format("; {} and {} have it", fmt::join(others, ", "), last);
+}
+
 /// Returns whether the word names a file: one that exists, or a name with an ending.
 bool looks_like_a_file(const std::string& word) {
     std::error_code error;
@@ -59,7 +78,9 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     for (const std::string& word : rest) {
         if (word.starts_with("-")) {
             const std::string name = word.substr(0, word.find('='));
-            return fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app)));
+            const std::string others = no_command ? "" : others_with(name, app);
+            return others.empty() ? fmt::format("unknown option '{}'{}", name, did_you_mean(name, option_names(app)))
+                                  : fmt::format("foam {} has no option '{}'{}", current(app).get_name(), name, others);
         }
         if (no_command && looks_like_a_file(word)) {
             return fmt::format("'{}' is a file, not a command; remedy: {}", word, commands_for(word));

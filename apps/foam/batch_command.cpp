@@ -3,6 +3,7 @@
 #include "cli/messages.hpp"
 #include "commands.hpp"
 #include "execute.hpp"
+#include "robot_options.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
@@ -72,6 +73,7 @@ namespace fs = std::filesystem;
 struct BatchArguments {
     std::string what, folder, run_dir, recipe, method = "cover", table;
     QuickBudget budget;
+    RobotOptions robot; ///< of which a mesh has --pad
     std::vector<std::string> settings;
     BatchOptions batch;
     std::optional<std::size_t> shards;
@@ -129,8 +131,9 @@ Recipe recipe_of_batch(const BatchArguments& arguments, Registry& registry) {
     std::vector<Setting> settings = settings_of(arguments.settings);
     RecipeResult read;
     if (arguments.recipe.empty()) {
-        const QuickRecipe quick =
-            quick_recipe(any_mesh, arguments.method, "json", arguments.budget, {}, "collision", registry);
+        QuickBudget budget = arguments.budget;
+        budget.pad = pad_of(arguments.robot);
+        const QuickRecipe quick = quick_recipe(any_mesh, arguments.method, "json", budget, {}, "collision", registry);
         for (const std::string& stage : quick.left_out) {
             tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
         }
@@ -271,6 +274,8 @@ void add_batch_work(CLI::App& command, BatchArguments& arguments) {
         ->type_name("METHOD")
         ->capture_default_str()
         ->excludes(recipe);
+    add_robot_options(command, arguments.robot, {RobotOption::pad});
+    command.get_option("--pad")->excludes(recipe);
     add_settings(command, arguments.settings);
     command.add_option("--shards", arguments.shards, "Number of shards; default: one for every 1000 meshes")
         ->type_name("N")

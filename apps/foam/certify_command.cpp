@@ -60,7 +60,7 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
     const MatchedModel model = model_of(program, arguments.judge, original, arguments.model);
     const std::vector<LinkProof> proofs = prove(original, model, outer ? Guarantee::outer : Guarantee::inner);
     const ProvedLinks proved = proved_links(original, model, proofs, outer ? Guarantee::outer : Guarantee::inner);
-    // Those that --link excludes are not asked for: the exit code is of the others, the verdict of the whole robot.
+    // Those that --keep and --skip leave out are not asked for: the exit code is of the others, the verdict of the whole robot.
     const auto failed = std::count_if(proofs.begin(), proofs.end(), [](const LinkProof& p) { return !p.holds; });
     if (arguments.json) {
         const nlohmann::ordered_json json{{"original", arguments.judge.original},

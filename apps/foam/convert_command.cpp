@@ -10,23 +10,23 @@
 #include <foam/base/file.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/text.hpp>
-#include <foam/geometry/length.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/recipe/quick_recipe.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace foam::cli {
 namespace {
 
 struct ConvertArguments {
-    std::string model, robot, output, format, reader, into, pad, base_link, covers = "solid";
-    std::vector<std::string> tool_frames, locks, pose, renames, packages, settings;
+    std::string model, robot, output, format, reader, into, base_link, covers = "solid";
+    RobotOptions options;
+    std::vector<std::string> pose, renames, packages, settings;
     std::size_t threads = 0;
     bool force = false, verbose = false;
 };
@@ -52,47 +52,21 @@ std::string text_of_file(const std::string& file) {
     return std::move(contents.bytes);
 }
 
-/// Returns the longest edge of the boxes around the elements of a link, m.
-double size_of(const SphereFile& file) {
-    double longest = 0;
-    for (const LinkSpheres& link : file.links) {
-        Box box;
-        for (const Sphere& sphere : link.elements.spheres()) {
-            box.add(bounds(element_of(sphere)));
-        }
-        for (const Element& element : link.elements.shaped()) {
-            box.add(bounds(element));
-        }
-        const Vec3 edges = box.empty() ? Vec3{} : box.size();
-        longest = std::max({longest, edges.x, edges.y, edges.z});
-    }
-    return longest;
-}
-
 /// Adds the padding to all radii; prints the excess before and after.
-void pad(SphereFile& file, const std::string& text, const Original* original) {
-    const double padding = length_of(text, "--pad"), size = size_of(file);
-    if (!(padding >= 0)) {
-        throw Error(ErrorCode::usage, fmt::format("--pad expects a length of at least 0, got '{}'", text));
-    }
-    if (padding > size && parse_number(text)) {
-        tell(fmt::format("warning: --pad {0} is {0} m, more than the largest link ({1}); if it is in millimetres: --pad "
-                         "{0}mm",
-                         text, length_text(size)));
-    }
+void pad_and_tell(SphereFile& file, const RobotOptions& options, const Original* original) {
     const auto excess = [&] { return evaluate(*original, match(*original, file)).total.measures.excess; };
     const double before = original ? excess() : 0;
-    for (LinkSpheres& link : file.links) {
-        for (Sphere& s : link.elements.spheres()) {
-            s.radius += padding;
-        }
-        for (Element& element : link.elements.shaped()) {
-            element = grown(element, padding);
-        }
-    }
+    pad(file, options, original);
     if (original) {
-        tell(fmt::format("padding of {} m: excess {:.3f} before, {:.3f} after", to_text(padding), before, excess()));
+        tell(fmt::format("padding of {} m: excess {:.3f} before, {:.3f} after", to_text(pad_of(options)->metres), before,
+                         excess()));
     }
+}
+
+/// Removes the elements of links that are not chosen; with the robot, what is chosen must be of it.
+void keep_chosen(SphereFile& file, const RobotChoices& choices, const Original* original) {
+    require_choices(choices, original ? *original->robot : *links_alone(file));
+    std::erase_if(file.links, [&](const LinkSpheres& link) { return !is_chosen(choices, link.link); });
 }
 
 KindCounts kinds_in(const SphereModel& model) {
@@ -110,12 +84,17 @@ SphereModel model_of(const SphereFile& file, const Original* original, const Con
     for (const OriginalLink& link : original ? original->links : std::vector<OriginalLink>{}) {
         model.geometry[link.link] = link.solid;
     }
+    const RobotChoices choices = choices_of(arguments.options);
     model.facts = {.base_link = arguments.base_link,
-                   .tool_frames = arguments.tool_frames,
-                   .lock_joints = positions_of(arguments.locks, "--lock"),
+                   .tool_frames = choices.tool_frames,
+                   .lock_joints = choices.locks,
                    .default_pose = positions_of(arguments.pose, "--pose"),
                    .acceleration = {},
                    .jerk = {}};
+    if (const std::string taken = give_tool_frame(model.facts, *model.robot, writer, !arguments.into.empty());
+        !taken.empty()) {
+        tell("note: " + taken);
+    }
     model.provenance = fmt::format("foam {}; {}, {}; {}", version(), file.file.filename().string(), file.format,
                                    counts_text(kinds_in(model)));
     if (!arguments.into.empty()) {
@@ -179,20 +158,28 @@ int convert(Program& program, const ConvertArguments& arguments) {
     }
     require_renames(arguments.renames, {&file});
     rename_links(file, renames_of(arguments.renames));
+    const RobotChoices choices = choices_of(arguments.options);
     std::optional<Original> original;
     if (!arguments.robot.empty()) {
         original = load_original(arguments.robot, registry,
-                                 {.covers = covers_named(arguments.covers),
+                                 {.links = choices.keep,
+                                  .geometry = covered_geometry(arguments.options.geometry),
+                                  .covers = covers_named(arguments.covers),
                                   .package_path = package_path_of(arguments.packages),
-                                  .name = program.standard_input.name_of(arguments.robot)});
+                                  .name = program.standard_input.name_of(arguments.robot),
+                                  .skip = choices.skip});
     }
     const Original* known = original ? &*original : nullptr;
     name_only_link(file, known);
     if (original) {
         require_links(file, *original->robot);
     }
-    if (!arguments.pad.empty()) {
-        pad(file, arguments.pad, known);
+    keep_chosen(file, choices, known);
+    if (!arguments.options.pad.empty()) {
+        pad_and_tell(file, arguments.options, known);
+    }
+    for (const std::string& setting : arguments.settings) {
+        question_setting(setting, format.info, known ? size_of(*known) : 0);
     }
     const SphereModel model = model_of(file, known, arguments, format.info, parameters);
     Telling context(arguments.verbose);
@@ -240,18 +227,10 @@ void add_convert(Program& program) {
                "What is asked of the elements: solid, with the inside of what is closed, or surface alone");
     command->add_option("--into", arguments->into, "Copy this file to the output, with its spheres replaced")
         ->type_name("FILE");
-    command->add_option("--pad", arguments->pad, "Add a length to all radii: 1cm, 10mm, or a number of metres")
-        ->type_name("M");
-    command->add_option("--tool-frame", arguments->tool_frames, "A link that a planner moves to a goal; repeatable")
-        ->type_name("LINK")
-        ->expected(1)
-        ->take_all();
+    using enum RobotOption;
+    add_robot_options(*command, arguments->options, {geometry, keep, skip, RobotOption::pad, lock, tool_frame});
     command->add_option("--base-link", arguments->base_link, "The link that the robot stands on; default: the root")
         ->type_name("LINK");
-    command->add_option("--lock", arguments->locks, "A joint that a planner holds, and its position; repeatable")
-        ->type_name("JOINT=VALUE")
-        ->expected(1)
-        ->take_all();
     command->add_option("--pose", arguments->pose, "Rest position of a joint, rad or m; repeatable")
         ->type_name("JOINT=VALUE")
         ->expected(1)

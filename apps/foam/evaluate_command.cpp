@@ -160,6 +160,7 @@ LinkPlane plane_of(const std::string& text, const Original& original) {
                     fmt::format("--clip {}: there is no link '{}' to evaluate", text, text.substr(0, equals)));
     }
     result.link = static_cast<std::size_t>(link - original.links.begin());
+    question_length("OFFSET of --clip", text.substr(text.rfind(',') + 1), size_of(original), "the robot");
     return result;
 }
 
@@ -189,6 +190,9 @@ nlohmann::ordered_json planes_json(const std::vector<LinkPlane>& planes, const O
 
 int evaluate_spheres(Program& program, const EvaluateArguments& arguments) {
     const ThreadLimit limit(arguments.judge.threads);
+    if (!arguments.judge.robot.locks.empty() && !in_poses(arguments)) {
+        throw Error(ErrorCode::usage, "--lock holds joints in poses; remedy: --poses 1000");
+    }
     const Original original = original_of(program, arguments.judge);
     std::vector<LinkPlane> planes;
     for (const std::string& text : arguments.clips) {
@@ -285,6 +289,7 @@ void add_evaluate(Program& program) {
         ->expected(1)
         ->take_all();
     add_pose_options(*command, arguments->poses);
+    add_robot_options(*command, arguments->judge.robot, {RobotOption::lock});
     command->add_option("--seed", arguments->seed, "Seed of the samples; default: 0")
         ->type_name("N")
         ->check(whole_number());

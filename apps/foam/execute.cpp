@@ -66,6 +66,7 @@ RunResult execute(const Recipe& recipe, const Registry& registry, const std::fil
     run_options.report = options.report;
     run_options.threads = options.threads;
     run_options.accept = options.accept;
+    run_options.robot_known = options.robot_known;
     run_options.inputs_known = [&](const std::vector<std::filesystem::path>& inputs) {
         for (const std::filesystem::path& target : options.targets) {
             refuse_overwriting(target, inputs, options.force);

@@ -45,6 +45,7 @@ struct ExecuteOptions {
     std::vector<std::filesystem::path> targets; ///< where the result goes beside the run directory
     /// Looks at the manifest before anything is put in place; see RunOptions.
     std::function<void(const std::string& manifest)> accept;
+    std::function<void(const Robot& robot)> robot_known; ///< see RunOptions
 };
 
 /// `-j`, `--fresh`, `--time-limit`, `-v` and `-q`.
@@ -65,6 +66,9 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files);
 /// Returns the parameters of a writer from texts like "version=0.7". Throws Error(usage) naming the text for an unknown
 /// name or another type.
 std::map<std::string, ParameterValue> parameters_of(const std::vector<std::string>& texts, const StageInfo& writer);
+
+/// Warns of a length in such a text, without a unit, that is larger than the robot, whose size is `size` in m.
+void question_setting(const std::string& text, const StageInfo& writer, double size);
 
 /// Throws Error(usage) unless `force`: for a file that is one of the inputs, by whatever name or link; and for a file
 /// beside the first that exists and does not belong to an earlier result of that name. It belongs to one if it names

@@ -120,9 +120,10 @@ std::string animated_webp(const std::vector<std::string>& frames, std::chrono::m
 constexpr const char* renderer_stage = "snapshot.osmesa";
 
 struct GalleryArguments {
-    std::string input, output, turntable, size, pose, srdf, geometry = "collision";
+    std::string input, output, turntable, size, pose, srdf;
     std::vector<std::size_t> counts;
     std::vector<std::string> packages;
+    RobotOptions robot;
     int frames = 48;
     MeshUnit unit;
     std::size_t threads = 0;
@@ -251,10 +252,11 @@ int gallery(Program& program, const GalleryArguments& arguments) {
     const SubjectOptions options{.files = {arguments.input},
                                  .unit = arguments.unit,
                                  .package_path = package_path_of(arguments.packages),
-                                 .geometry = covered_geometry(arguments.geometry),
+                                 .geometry = covered_geometry(arguments.robot.geometry),
                                  .srdf = arguments.srdf,
                                  .nameless = program.standard_input.file(),
-                                 .nameless_name = program.standard_input.name()};
+                                 .nameless_name = program.standard_input.name(),
+                                 .choices = choices_of(arguments.robot)};
     const Subject subject = load_subject(options, registry);
     for (const std::string& note : subject.notes) {
         tell(fmt::format("warning: {}", note));
@@ -316,8 +318,8 @@ void add_gallery(Program& program) {
     command->add_option("--srdf", arguments->srdf, "Take named poses from the group states of this SRDF")
         ->type_name("FILE");
     add_force(*command, arguments->force);
-    add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that the spheres cover: collision, visual, both or collision-or-visual");
+    using enum RobotOption;
+    add_robot_options(*command, arguments->robot, {geometry, keep, skip, weight, lock});
     add_packages(*command, arguments->packages);
     add_mesh_unit(*command, arguments->unit);
     add_threads(*command, arguments->threads);

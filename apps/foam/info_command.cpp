@@ -140,8 +140,8 @@ void add_info(Program& program) {
         ->required();
     program.standard_input.may_be(arguments->input.original, StandardInput::Holds::geometry);
     program.standard_input.add_format(*command);
-    add_geometry(*command, arguments->input.geometry,
-                 "The geometry of a robot that is shown: collision, visual, both or collision-or-visual");
+    using enum RobotOption;
+    add_robot_options(*command, arguments->input.robot, {geometry, keep, skip});
     add_packages(*command, arguments->input.packages);
     add_mesh_unit(*command, arguments->input.unit);
     add_threads(*command, arguments->input.threads);

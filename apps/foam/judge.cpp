@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace foam::cli {
 Renames renames_of(const std::vector<std::string>& texts) {
@@ -40,26 +41,6 @@ CLI::Option* add_reader(CLI::App& command, std::string& reader) {
         ->type_name("STAGE");
 }
 
-JointValues positions_of(const std::vector<std::string>& texts, const char* option) {
-    JointValues values;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.rfind('=');
-        const auto value = equals == text.npos ? std::nullopt : parse_number(text.substr(equals + 1));
-        if (!value) {
-            throw Error(ErrorCode::usage, fmt::format("{} expects JOINT=NUMBER, got '{}'", option, text));
-        }
-        values[text.substr(0, equals)] = *value;
-    }
-    return values;
-}
-
-void add_geometry(CLI::App& command, std::string& geometry, const std::string& text) {
-    command.add_option("--geometry", geometry, text)
-        ->type_name("WHICH")
-        ->check(CLI::IsMember(words_of_covered_geometry()).description(""))
-        ->capture_default_str();
-}
-
 void add_covers(CLI::App& command, std::string& covers, const std::string& text) {
     command.add_option("--covers", covers, text)
         ->type_name("WHAT")
@@ -71,9 +52,48 @@ Covers covers_named(const std::string& word) {
     return word == to_string(Covers::surface) ? Covers::surface : Covers::solid;
 }
 
-CoveredGeometry covered_geometry(const std::string& word) {
-    const std::vector<std::string>& words = words_of_covered_geometry();
-    return static_cast<CoveredGeometry>(std::find(words.begin(), words.end(), word) - words.begin());
+double size_of(const Original& original) {
+    const std::map<std::string, Pose> poses = link_poses(*original.robot);
+    Box box;
+    for (const OriginalLink& link : original.links) {
+        const auto pose = poses.find(link.link);
+        for (const Vec3& corner : link.solid->surface().vertices) {
+            box.add(pose == poses.end() ? corner : pose->second * corner);
+        }
+    }
+    const Vec3 edges = box.empty() ? Vec3{} : box.size();
+    return std::max({edges.x, edges.y, edges.z});
+}
+
+/// Returns the longest edge of the boxes around the elements of a link, m.
+static double size_of_links(const SphereFile& file) {
+    double longest = 0;
+    for (const LinkSpheres& link : file.links) {
+        Box box;
+        for (const Element& element : link.elements) {
+            box.add(bounds(element));
+        }
+        const Vec3 edges = box.empty() ? Vec3{} : box.size();
+        longest = std::max({longest, edges.x, edges.y, edges.z});
+    }
+    return longest;
+}
+
+void pad(SphereFile& file, const RobotOptions& options, const Original* original) {
+    const std::optional<QuickLength> padding = pad_of(options);
+    if (!padding) {
+        return;
+    }
+    question_length("--pad", options.pad, original ? size_of(*original) : size_of_links(file),
+                    original ? "the robot" : "the largest link");
+    for (LinkSpheres& link : file.links) {
+        for (Sphere& s : link.elements.spheres()) {
+            s.radius += padding->metres;
+        }
+        for (Element& element : link.elements.shaped()) {
+            element = grown(element, padding->metres);
+        }
+    }
 }
 
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options) {
@@ -82,29 +102,38 @@ void add_judge_options(CLI::App& command, Program& program, JudgeOptions& option
         ->required();
     program.standard_input.may_be(options.original, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
-    add_geometry(command, options.geometry,
-                 "The geometry of a robot that elements are judged by: collision, visual, both or collision-or-visual");
+    using enum RobotOption;
+    add_robot_options(command, options.robot, {geometry, keep, skip, RobotOption::pad});
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--link",
+            [&options](const std::vector<std::string>& globs) {
+                options.robot.keep.insert(options.robot.keep.end(), globs.begin(), globs.end());
+            },
+            "The old spelling of --keep")
+        ->expected(1)
+        ->take_all()
+        ->group(""); // not in the help
     add_covers(command, options.covers,
                "What is asked of the elements: solid, with the inside of what is closed, or surface alone");
     add_packages(command, options.packages);
     add_mesh_unit(command, options.unit);
     add_reader(command, options.reader);
     add_renames(command, options.renames);
-    command.add_option("--link", options.links, "Evaluate only links that match this glob; repeatable")
-        ->type_name("GLOB")
-        ->expected(1)
-        ->take_all();
     add_threads(command, options.threads);
 }
 
 Original original_of(Program& program, const JudgeOptions& options) {
+    const RobotChoices choices = choices_of(options.robot);
     Original original = load_original(options.original, program.registry(),
-                                      {.links = options.links,
+                                      {.links = choices.keep,
                                        .unit = options.unit,
-                                       .geometry = covered_geometry(options.geometry),
+                                       .geometry = covered_geometry(options.robot.geometry),
                                        .covers = covers_named(options.covers),
                                        .package_path = package_path_of(options.packages),
-                                       .name = program.standard_input.name_of(options.original)});
+                                       .name = program.standard_input.name_of(options.original),
+                                       .skip = choices.skip,
+                                       .held = choices.locks});
     for (const std::string& note : original.notes) {
         tell(fmt::format("warning: {}: {}", options.original, note));
     }
@@ -118,6 +147,7 @@ MatchedModel model_of(Program& program, const JudgeOptions& options, const Origi
     if (alone) {
         require_renames(options.renames, {&spheres});
     }
+    pad(spheres, options.robot, &original);
     MatchedModel model = match(original, std::move(spheres), renames_of(options.renames));
     for (const std::string& note : model.notes) {
         tell(fmt::format("warning: {}: {}", file, note));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/program.hpp"
+#include "robot_options.hpp"
 
 #include <foam/collision/self_collision.hpp>
 #include <foam/geometry/figure.hpp>
@@ -18,31 +19,31 @@ namespace foam::cli {
 
 struct JudgeOptions {
     std::string original;
-    std::vector<std::string> renames, links, packages;
+    std::vector<std::string> renames, packages;
+    RobotOptions robot;
     MeshUnit unit;
-    std::string geometry = "collision", covers = "solid";
+    std::string covers = "solid";
     std::string reader;      ///< of the spheres; empty: the one that recognises them
     std::size_t threads = 0; ///< 0: all cores
 };
 
 /// --reader STAGE, which reads the sphere model.
 CLI::Option* add_reader(CLI::App& command, std::string& reader);
-/// Returns the values of JOINT=NUMBER. Throws Error(usage), naming the option, for another text.
-JointValues positions_of(const std::vector<std::string>& texts, const char* option);
 /// --rename OLD=NEW, repeatable.
 void add_renames(CLI::App& command, std::vector<std::string>& texts);
 /// Throws Error(usage) for a text without '='.
 Renames renames_of(const std::vector<std::string>& texts);
-/// --geometry collision|visual|both.
-void add_geometry(CLI::App& command, std::string& geometry, const std::string& text);
 /// --covers solid|surface.
 void add_covers(CLI::App& command, std::string& covers, const std::string& text);
 /// Returns what --covers names.
 Covers covers_named(const std::string& word);
-/// Returns the geometry that --geometry names.
-CoveredGeometry covered_geometry(const std::string& word);
-/// ORIGINAL, --geometry, --unit, --scale, --reader, --rename, --link, -j.
+/// ORIGINAL, --geometry, --keep, --skip, --pad, --unit, --scale, --reader, --rename, -j.
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options);
+/// Adds the padding to all radii of a model. Warns of one without unit that is larger than the robot; `original`: null
+/// where it is not known.
+void pad(SphereFile& file, const RobotOptions& options, const Original* original);
+/// Returns the longest edge of the geometry in the zero pose, m.
+double size_of(const Original& original);
 
 /// Returns the geometry. Warnings of its loader go to stderr.
 Original original_of(Program& program, const JudgeOptions& options);

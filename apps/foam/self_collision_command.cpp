@@ -28,6 +28,7 @@ using Json = nlohmann::ordered_json;
 struct SelfCollisionArguments {
     std::string urdf, model, reader, srdf, curobo, against;
     std::vector<std::string> renames, pose, packages;
+    RobotOptions robot;
     std::size_t spheres = 32, threads = 0;
     SelfCollisionOptions options;
     bool json = false, force = false;
@@ -38,8 +39,13 @@ CollisionModel model_of_robot(const Program& program, const SelfCollisionArgumen
                               const Registry& registry) {
     const StandardInput& piped = program.standard_input;
     const std::filesystem::path given = arguments.urdf;
-    const OriginalOptions options{.package_path = package_path_of(arguments.packages),
-                                  .name = piped.is(arguments.urdf) ? piped.name() : given};
+    const RobotChoices choices = choices_of(arguments.robot);
+    const OriginalOptions options{.links = choices.keep,
+                                  .geometry = covered_geometry(arguments.robot.geometry),
+                                  .package_path = package_path_of(arguments.packages),
+                                  .name = piped.is(arguments.urdf) ? piped.name() : given,
+                                  .skip = choices.skip,
+                                  .held = choices.locks};
     if (arguments.model.empty()) {
         return load_collision_model(arguments.urdf, registry, arguments.spheres, options);
     }
@@ -317,6 +323,8 @@ void add_model_options(CLI::App& command, Program& program, SelfCollisionArgumen
                                          "Spheres of the robot's links, in any format that `foam evaluate` reads")
                              ->type_name("MODEL");
     add_reader(command, arguments.reader)->needs(model);
+    using enum RobotOption;
+    add_robot_options(command, arguments.robot, {geometry, keep, skip, lock});
     add_renames(command, arguments.renames);
 }
 

@@ -13,6 +13,7 @@
 #include <foam/runtime/scratch_folder.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/sdk/stage.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
 #include <fmt/format.h>
@@ -35,9 +36,10 @@ struct SpherizeArguments {
     std::string objective, effort;
     std::optional<std::uint64_t> seed;
     QuickBudget budget;
-    std::string max_protrusion, geometry = "collision", covers = "solid";
+    std::string max_protrusion, covers = "solid";
+    RobotOptions robot;
     MeshUnit unit;
-    std::vector<std::string> settings, tool_frames, packages, xacro_arguments;
+    std::vector<std::string> settings, packages, xacro_arguments;
     ExecuteOptions execute;
     bool print_recipe = false, json = false;
 };
@@ -73,7 +75,14 @@ std::string output_ending(const SpherizeArguments& arguments, const Registry& re
 QuickBudget budget_of(const SpherizeArguments& arguments) {
     QuickBudget budget = arguments.budget;
     if (!arguments.max_protrusion.empty()) {
-        budget.max_protrusion = length_of(arguments.max_protrusion, "--max-protrusion");
+        budget.max_protrusion = QuickLength(length_of(arguments.max_protrusion, "--max-protrusion"),
+                                            !parse_number(arguments.max_protrusion));
+    }
+    budget.pad = pad_of(arguments.robot);
+    if (!arguments.robot.weights.empty() && !budget.spheres && !budget.excess && !budget.cost) {
+        throw Error(ErrorCode::usage, fmt::format("--weight has an effect where elements are allocated; remedy: {}, or "
+                                                  "--excess X",
+                                                  arguments.elements ? "-n N, --cost C" : "-n N"));
     }
     for (const std::string& text : arguments.costs) {
         const std::size_t equals = text.find('=');
@@ -122,9 +131,6 @@ std::vector<std::string> all_settings(const SpherizeArguments& arguments, const 
         std::ranges::transform(texts, std::back_inserter(values), yaml::scalar_text);
         return fmt::format("[{}]", fmt::join(values, ", "));
     };
-    if (!arguments.tool_frames.empty()) {
-        settings.push_back("robot.tool_frames=" + list(arguments.tool_frames));
-    }
     if (!arguments.xacro_arguments.empty()) {
         if (extension_of(arguments.input) != "xacro") {
             throw Error(ErrorCode::usage, fmt::format("'{}': only a xacro file has arguments; remedy: one INPUT",
@@ -173,6 +179,14 @@ std::vector<WrittenFile> result_for(const fs::path& target, const fs::path& made
     return files;
 }
 
+/// Tells which tool frame was taken where none was given.
+void tell_tool_frame(const Recipe& recipe, const RunResult& result, const ExecuteOptions& options) {
+    const std::vector<std::string>& frames = result.model.facts.tool_frames;
+    if (recipe.facts.tool_frames.empty() && !frames.empty() && !options.quiet && !options.verbose) {
+        tell("note: " + sentence_about_tool_frame(frames.front()));
+    }
+}
+
 int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const QuickRecipe& quick,
               const Registry& registry, const fs::path& input_name) {
     const fs::path target = output_file(arguments, quick);
@@ -185,6 +199,9 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     const fs::path directory = arguments.run_dir.empty() ? scratch.path() / "run" : fs::path(arguments.run_dir);
     ExecuteOptions options = arguments.execute;
     options.input_name = input_name;
+    options.robot_known = [choices = choices_of(arguments.robot)](const Robot& robot) {
+        require_choices(choices, robot);
+    };
     const OutputCall& output = recipe.outputs.at(0);
     const StageInfo& writer = registry.find(output.writer.stage)->info;
     if (to_stdout(arguments) && !writer.companions.empty()) {
@@ -193,6 +210,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
     options.targets = to_stdout(arguments) ? std::vector<fs::path>{} : files_of(writer, target);
     options.report = !arguments.run_dir.empty(); // the scratch folder is removed
     const RunResult result = execute(recipe, registry, directory, options);
+    tell_tool_frame(recipe, result, options);
     const std::vector<WrittenFile> files =
         result_for(to_stdout(arguments) ? fs::path() : target, directory / output.file, result, output, registry);
     if (to_stdout(arguments)) {
@@ -240,7 +258,8 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
     }
     require_file(arguments.input);
     const QuickRecipe quick = quick_recipe(arguments.input, method_of(arguments), output_ending(arguments, registry),
-                                           budget_of(arguments), arguments.unit, arguments.geometry, registry);
+                                           budget_of(arguments), arguments.unit, arguments.robot.geometry, registry,
+                                           choices_of(arguments.robot));
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
@@ -290,12 +309,6 @@ void add_output_options(CLI::App& command, SpherizeArguments& arguments, const s
                     "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
         ->type_name("FORMAT");
     add_run_directory(command, arguments.run_dir, "Keep the whole run directory in this folder");
-    command
-        .add_option("--tool-frame", arguments.tool_frames,
-                    "A link that a planner moves to a goal, for formats of planners; repeatable")
-        ->type_name("LINK")
-        ->expected(1)
-        ->take_all();
 }
 
 /// Adds the options that both commands have.
@@ -309,10 +322,8 @@ void add_common_options(CLI::App& command, Program& program, const std::shared_p
     program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);
     program.standard_input.add_format(command);
     add_budget_options(command, *arguments, elements);
-    add_geometry(
-        command, arguments->geometry,
-        fmt::format("The geometry of a robot that the {} cover: collision, visual, both or collision-or-visual",
-                    elements));
+    using enum RobotOption;
+    add_robot_options(command, arguments->robot, {geometry, keep, skip, weight, pad, lock, tool_frame});
     add_covers(command, arguments->covers,
                fmt::format("What the {} hold: solid, with the inside of what is closed, or surface alone", elements));
     add_packages(command, arguments->packages);
@@ -379,6 +390,7 @@ void add_spherize(Program& program) {
                                     "  foam spherize part.stl --method grid -o - --format csv\n"
                                     "  foam spherize part.stl -n 16 --set guarantee=fitted    close, not covering\n"
                                     "  foam spherize robot.xml -n 60            writes robot_spheres.xml, for MuJoCo\n"
+                                    "  foam spherize robot.urdf -n 60 --skip '*finger*' --weight hand=3\n"
                                     "  foam spherize robot.urdf -n 60 --print-recipe > robot.yaml");
     auto arguments = std::make_shared<SpherizeArguments>();
     arguments->execute.say_which = false; // the user did

@@ -28,7 +28,8 @@ namespace {
 struct ViewArguments {
     std::vector<std::string> models, renames, packages;
     std::vector<std::size_t> counts;
-    std::string reader, geometry = "collision", srdf, html;
+    RobotOptions robot;
+    std::string reader, srdf, html;
     MeshUnit unit;
     std::size_t threads = 0;
     int port = 0;
@@ -41,10 +42,11 @@ SubjectOptions subject_options(const Program& program, const ViewArguments& argu
                            .reader = arguments.reader,
                            .unit = arguments.unit,
                            .package_path = package_path_of(arguments.packages),
-                           .geometry = covered_geometry(arguments.geometry),
+                           .geometry = covered_geometry(arguments.robot.geometry),
                            .srdf = arguments.srdf,
                            .nameless = program.standard_input.file(),
-                           .nameless_name = program.standard_input.name()};
+                           .nameless_name = program.standard_input.name(),
+                           .choices = choices_of(arguments.robot)};
     return options;
 }
 
@@ -238,8 +240,8 @@ void add_view(Program& program) {
         ->check(whole_number(1, 65535));
     command->add_option("--srdf", arguments->srdf, "Take named poses from the group states of this SRDF")
         ->type_name("FILE");
-    add_geometry(*command, arguments->geometry,
-                 "The geometry of a robot that elements are judged by: collision, visual, both or collision-or-visual");
+    using enum RobotOption;
+    add_robot_options(*command, arguments->robot, {geometry, keep, skip, weight, lock});
     add_packages(*command, arguments->packages);
     add_mesh_unit(*command, arguments->unit);
     add_reader(*command, arguments->reader);

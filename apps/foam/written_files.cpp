@@ -1,4 +1,5 @@
 #include "execute.hpp"
+#include "robot_options.hpp"
 
 #include "cli/files.hpp"
 #include "cli/program.hpp"
@@ -116,6 +117,14 @@ std::map<std::string, ParameterValue> parameters_of(const std::vector<std::strin
         values[parameter.name] = *value;
     }
     return values;
+}
+
+void question_setting(const std::string& text, const StageInfo& writer, double size) {
+    const std::size_t equals = text.find('=');
+    const Parameter& parameter = parameter_of(text.substr(0, equals), writer);
+    if (parameter.type == Parameter::Type::number && parameter.unit_text == "m") {
+        question_length("--set " + parameter.name, text.substr(equals + 1), size, "the robot");
+    }
 }
 
 } // namespace foam::cli

@@ -182,7 +182,8 @@ StageInfo info_of_vamp() {
                  mesh_paths_parameter()},
             .extensions = {"urdf"},
             .uses = {"write.srdf"},
-            .consumer = {.name = "VAMP (f6de6a72e0), cricket (a2ad9d6db7, 0a1eff2513)", .float32 = true, .pairs = true, .rest_pose = true},
+            .consumer = {.name = "VAMP (f6de6a72e0), cricket (a2ad9d6db7, 0a1eff2513)", .float32 = true, .pairs = true,
+                         .rest_pose = true, .tool_frames = true},
             .companions = {"srdf", "json"}};
 }
 

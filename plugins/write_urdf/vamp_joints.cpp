@@ -58,8 +58,7 @@ void limit_to_one_turn(SphereUrdf& urdf, const Joint& joint) {
 [[noreturn]] void refuse_mimic(const SphereUrdf& urdf, const std::string& joint, const std::string& followed) {
     throw Error(ErrorCode::output,
                 fmt::format("{0}: joint '{1}' mimics '{2}', and cricket would plan each of them; remedy: hold them: "
-                            "robot: {{lock_joints: {{{2}: VALUE}}}} in the recipe, --set "
-                            "'robot.lock_joints={{{2}: VALUE}}', or foam convert --lock {2}=VALUE",
+                            "--lock {2}=VALUE, or robot: {{lock_joints: {{{2}: VALUE}}}} in the recipe",
                             urdf.writer(), joint, followed));
 }
 

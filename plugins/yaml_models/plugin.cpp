@@ -87,7 +87,8 @@ static void add_writers_of_nvidia(foam::Enrolment& enrol) {
                       .float32 = true,
                       .pairs = true,
                       .rest_pose = true,
-                      .edits = true}});
+                      .edits = true,
+                      .tool_frames = true}});
     enrol.add<XrdfWriter>(
         {.name = "write.xrdf",
          .summary = "Writes an XRDF file: spheres, pairs, joints and limits.",
@@ -100,7 +101,8 @@ static void add_writers_of_nvidia(foam::Enrolment& enrol) {
                       .float32 = true,
                       .pairs = true,
                       .rest_pose = true,
-                      .edits = true}});
+                      .edits = true,
+                      .tool_frames = true}});
     enrol.add<LulaWriter>(
         {.name = "write.lula",
          .summary = "Writes a robot description of Lula (Isaac Sim 5): joints, spheres; it has no pairs.",

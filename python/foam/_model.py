@@ -150,7 +150,8 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
             path: the file; its ending selects the format.
             format: urdf, json, curobo, xrdf, srdf, mjcf, pyroki…: `foam formats` lists them.
             into: a file of yours that is copied to `path` with its spheres replaced; it may be `path` itself.
-            base_link, tool_frames, lock_joints, default_pose: what formats state of a robot beyond its URDF.
+            base_link, tool_frames, lock_joints, default_pose: what formats state of a robot beyond its URDF. Where a
+                format needs a tool frame and none is given, it is the tip of the robot, if there is one alone.
             set: parameters of the writer, by name.
             force: replace the robot's own file.
 

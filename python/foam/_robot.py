@@ -131,6 +131,9 @@ class Robot:
         max_protrusion: float | None = None,
         effort: str | None = None,
         objective: str | None = None,
+        keep: Iterable[str] | str = (),
+        skip: Iterable[str] | str = (),
+        weights: Mapping[str, float] | None = None,
         links: Mapping[str, Mapping[str, Any]] | None = None,
         set: Mapping[str, Any] | None = None,
         seed: int | None = None,
@@ -146,6 +149,10 @@ class Robot:
             excess: the fewest spheres with at most this excess.
             max_protrusion: metres; how far spheres may extend beyond their link, as far as their number allows.
             effort, objective: parameters of the method, if it has them.
+            keep: names or globs of the links that get spheres; none: all. The others keep their geometry.
+            skip: names or globs of links that get none, of those that are kept.
+            weights: by name or glob of links, the factor of their excess volume in the allocation: with more they get
+                more spheres.
             links: settings of single links, by name or glob, as in a recipe: {"hand": {"weight": 2}}.
             set: other values of the recipe, by key: {"guarantee": "inner"}.
             seed: of the run.
@@ -157,8 +164,8 @@ class Robot:
             UsageError: an argument is wrong. GeometryError, Error: a link failed. KeyboardInterrupt: Ctrl-C.
         """
         return self._made(
-            method, None, spheres, excess, max_protrusion, None, {}, effort, objective, links, set, seed, time_limit,
-            fresh, progress,
+            method, None, spheres, excess, max_protrusion, None, {}, effort, objective,
+            self._links(keep, skip, weights, links), set, seed, time_limit, fresh, progress,
         )  # fmt: skip
 
     def approximate(
@@ -172,6 +179,9 @@ class Robot:
         max_protrusion: float | None = None,
         effort: str | None = None,
         objective: str | None = None,
+        keep: Iterable[str] | str = (),
+        skip: Iterable[str] | str = (),
+        weights: Mapping[str, float] | None = None,
         links: Mapping[str, Mapping[str, Any]] | None = None,
         set: Mapping[str, Any] | None = None,
         seed: int | None = None,
@@ -192,14 +202,31 @@ class Robot:
         """
         words = [kinds] if isinstance(kinds, str) else list(kinds)
         return self._made(
-            "", words, elements, excess, max_protrusion, cost, costs or {}, effort, objective, links, set, seed,
-            time_limit, fresh, progress,
+            "", words, elements, excess, max_protrusion, cost, costs or {}, effort, objective,
+            self._links(keep, skip, weights, links), set, seed, time_limit, fresh, progress,
         )  # fmt: skip
+
+    def _links(
+        self, keep: Iterable[str] | str, skip: Iterable[str] | str, weights: Mapping[str, float] | None,
+        links: Mapping[str, Mapping[str, Any]] | None,
+    ) -> dict[str, dict[str, Any]]:  # fmt: skip
+        """Return the settings of single links: of the globs first, so that those of `links` have precedence."""
+        kept, skipped = ([globs] if isinstance(globs, str) else list(globs) for globs in (keep, skip))
+        factors = [(glob, float(weight)) for glob, weight in (weights or {}).items()]
+        settings: dict[str, dict[str, Any]] = {}
+        for name, chosen, weight in self._core.chosen_links(kept, skipped, factors):
+            if not chosen:
+                settings[name] = {"skip": True}
+            elif weight is not None:
+                settings[name] = {"weight": weight}
+        for name, values in (links or {}).items():
+            settings[name] = {**settings.pop(name, {}), **values}
+        return settings
 
     def _made(
         self, method: str, kinds: list[str] | None, count: int | None, excess: float | None,
         max_protrusion: float | None, cost: float | None, costs: Mapping[str, float], effort: str | None,
-        objective: str | None, links: Mapping[str, Mapping[str, Any]] | None, set: Mapping[str, Any] | None,
+        objective: str | None, links: dict[str, dict[str, Any]], set: Mapping[str, Any] | None,
         seed: int | None, time_limit: float | None, fresh: bool, progress: Callable[[Any], object] | None,
     ) -> Any:  # fmt: skip
         """Return the model that the recipe for these arguments makes; `kinds`: None for spheres alone."""
@@ -222,7 +249,7 @@ class Robot:
             settings[f"stages.{stage}.effort"] = effort
         if objective is not None and kinds is None:
             settings[f"stages.{stage}.objective"] = objective
-        own = {link: dict(values) for link, values in (links or {}).items()}
+        own = dict(links)
         if globs:  # of load(): the other links keep their geometry
             chosen = self.links_with_geometry
             own |= {link: {"skip": True} for link in self.links if link not in chosen}

@@ -3,6 +3,8 @@
 #include <foam/base/error.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/judge/evaluate.hpp>
+#include <foam/recipe/recipe.hpp>
+#include <foam/recipe/robot_choices.hpp>
 #include <foam/robot/kinematics.hpp>
 
 #include <pybind11/stl.h>
@@ -102,6 +104,27 @@ std::vector<double> values_of_joints(const HeldRobot& held, const JointValues& v
     return kinematics.joint_values(kinematics.configuration(values));
 }
 
+/// What globs say of a link: its name, whether it is worked on, and its weight, if it has one.
+using ChosenLink = std::tuple<std::string, bool, std::optional<double>>;
+
+std::vector<ChosenLink> chosen_links(const HeldRobot& held, const std::vector<std::string>& keep,
+                                     const std::vector<std::string>& skip,
+                                     const std::vector<std::pair<std::string, double>>& weights) {
+    const Robot& robot = *held.original.robot;
+    const RobotChoices choices{.keep = keep, .skip = skip, .weights = weights};
+    require_choices(choices, robot, "");
+    std::vector<ChosenLink> links;
+    for (const Link& link : robot.links) {
+        std::optional<double> weight;
+        for (const auto& [glob, value] : weights) {
+            require_weight(value, fmt::format("{}", value), "");
+            weight = glob == link.name || glob_matches(glob, link.name) ? value : weight;
+        }
+        links.emplace_back(link.name, is_chosen(choices, link.name), weight);
+    }
+    return links;
+}
+
 using ElementsOfLinks = std::vector<std::pair<std::string, std::vector<py::dict>>>;
 
 SphereFile file_of(const std::vector<std::pair<std::string, py::buffer>>& links, const std::string& name,
@@ -151,6 +174,7 @@ void add_robot(py::module_& module) {
             },
             py::arg("link"))
         .def("parts", &parts_of_link, py::arg("link"))
+        .def("chosen_links", &chosen_links, py::arg("keep"), py::arg("skip"), py::arg("weights"))
         .def("joint_values", &values_of_joints, py::arg("values"));
     py::class_<SphereFile, std::shared_ptr<SphereFile>>(module, "SphereFile")
         .def(py::init(&file_of), py::arg("links"), py::arg("name"), py::arg("elements") = ElementsOfLinks())

@@ -112,7 +112,9 @@ py::tuple quick(const std::filesystem::path& input, const std::string& method,
                 const std::optional<std::string>& unit, double scale, const std::string& geometry,
                 const Registry& registry) {
     const QuickMethod by = kinds ? QuickMethod(method, kinds_named(*kinds, "kinds"), objective) : QuickMethod(method);
-    const QuickBudget budget{count, excess, max_protrusion, cost, costs};
+    const std::optional<QuickLength> protrusion =
+        max_protrusion ? std::optional<QuickLength>(*max_protrusion) : std::nullopt;
+    const QuickBudget budget{count, excess, protrusion, cost, costs};
     const QuickRecipe made = quick_recipe(input, by, is_mesh(input, registry) ? "json" : "urdf", budget,
                                           {.unit = unit, .scale = scale}, geometry, registry);
     return py::make_tuple(made.name, made.text, made.left_out, made.stage);

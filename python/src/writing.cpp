@@ -5,8 +5,10 @@
 #include <foam/base/error.hpp>
 #include <foam/judge/written_model.hpp>
 #include <foam/recipe/quick_recipe.hpp>
+#include <foam/robot/held_joints.hpp>
 #include <foam/runtime/version.hpp>
 #include <foam/sdk/kinds.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -50,6 +52,17 @@ void complete(SphereModel& model, const SphereFile& spheres, const Original* ori
     if (writer.consumer.rest_pose) {
         give_rest_pose(model);
     }
+}
+
+/// Takes the one tip of the robot as tool frame where the writer needs one. Throws Error(usage) for a joint that cannot
+/// be held, and where there are several tips.
+void complete_facts(RobotFacts& facts, const Robot& robot, const StageInfo& writer, bool into) {
+    for (const auto& [joint, position] : has_only_names(robot) ? JointValues{} : facts.lock_joints) {
+        if (const std::string why = why_not_held(robot, joint, position); !why.empty()) {
+            throw Error(ErrorCode::usage, fmt::format("lock_joints: {}", why));
+        }
+    }
+    give_tool_frame(facts, robot, writer, into);
 }
 
 /// Throws Error(usage) if the stage has not all of the parameters.
@@ -97,6 +110,9 @@ py::tuple written(const std::shared_ptr<Registry>& registry, SphereFile spheres,
                 }
             }
             model.facts = facts;
+            if (model.robot) {
+                complete_facts(model.facts, *model.robot, info, into.has_value());
+            }
             const bool judged = !of_run || info.consumer.float32 || info.consumer.rest_pose ||
                                 lists_pairs(info, parameters, into.has_value());
             if (judged) {

@@ -26,7 +26,7 @@ TEST_F(Cli, HelpSpeaksOfElementsWhereAnyMayBe) {
         const std::string help =
             std::regex_replace(foam(std::string(command) + " --help").out, std::regex("\\s+"), " ");
         EXPECT_THAT(help, HasSubstr("spheres or other")) << command;
-        EXPECT_THAT(help, HasSubstr("elements are judged by")) << command;
+        EXPECT_THAT(help, HasSubstr("elements cover and are judged by")) << command;
         EXPECT_THAT(help, Not(HasSubstr("inside the spheres"))) << command;
     }
 }

@@ -113,7 +113,7 @@ TEST_F(CliInputs, AnUnlikelySizeIsAWarning) {
 
 TEST_F(CliInputs, LengthsTakeUnits) {
     EXPECT_THAT(foam("spherize box.obj --max-protrusion 10mm --print-recipe").out,
-                HasSubstr("budget: {max_protrusion: 0.01} "));
+                HasSubstr("budget: {max_protrusion: 0.01m} "));
     const Outcome wrong = foam("spherize box.obj --max-protrusion 10km");
     EXPECT_EQ(wrong.code, 2);
     EXPECT_EQ(wrong.err, "foam: error: --max-protrusion expects a number in m, or one with mm, cm, m or in behind it, "

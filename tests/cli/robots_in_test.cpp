@@ -67,7 +67,7 @@ TEST_F(RobotsIn, UnitsAreQuestioned) {
                           "0.001 0.001\"/>"));
     ASSERT_EQ(foam("spherize visual_only/mix.urdf -n 8 -m octree -o out.urdf").code, 0);
     EXPECT_THAT(foam("convert out.urdf --pad 5 -o out.csv").err,
-                HasSubstr("warning: --pad 5 is 5 m, more than the largest link"));
+                HasSubstr("warning: --pad is 5 m, larger than the largest link"));
     EXPECT_THAT(foam("convert out.urdf --pad 5mm -o out.csv").err, Not(HasSubstr("warning: --pad")));
 }
 

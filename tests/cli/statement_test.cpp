@@ -91,13 +91,13 @@ TEST_F(CliStatement, LinksThatWereNotAskedForAreNamed) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(outcome.out, HasSubstr("Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, "));
-    EXPECT_THAT(outcome.out, HasSubstr("Not part of the proof: base (excluded by --link).\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("Not part of the proof: base (excluded by --keep or --skip).\n"));
     const json certified = json::parse(foam("certify three.urdf runs/three/out.urdf --link tip --json").out);
     EXPECT_FALSE(certified["certified"]);
     EXPECT_EQ(certified["proof"]["links_proved"], 1);
     const Outcome evaluated = foam("evaluate three.urdf runs/three/out.urdf --link tip");
     EXPECT_THAT(evaluated.out, HasSubstr("in part\nProved in part: the collision geometry of 1 of 2 links lies inside "
-                                         "their spheres, as a solid.\nNot part of the proof: base (excluded by --link).\n"));
+                                         "their spheres, as a solid.\nNot part of the proof: base (excluded by --keep or --skip).\n"));
     const Outcome compared = foam("compare three.urdf runs/three/out.urdf --link tip --html page.html");
     EXPECT_THAT(compared.out, HasSubstr("\nA   Proved in part: the collision geometry of 1 of 2 links lies inside"));
     EXPECT_THAT(contents(path() / "page.html"), HasSubstr("<td class=\"no\">in part</td>"));

@@ -111,7 +111,7 @@ TEST_F(EvaluateCli, ALinkNamedLikeAGlobLeavesTheOthersIn) {
     const Outcome outcome = foam("certify odd.urdf odd.csv --link base");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "Certified in part (outer): the geometry lies inside the spheres on 1 of 2 links, as a solid, 1 sphere.\n"
-                           "Not part of the proof: * (excluded by --link).\n");
+                           "Not part of the proof: * (excluded by --keep or --skip).\n");
 }
 
 TEST_F(EvaluateCli, AMeshIsAnOriginalToo) {

@@ -271,7 +271,7 @@ TEST(JudgedLinks, ProvedLinksAreCountedByTheRobot) {
     EXPECT_EQ(links.proved, 2u);
     ASSERT_EQ(links.left_out.size(), 2u);
     EXPECT_EQ(links.left_out[0].link, "excluded");
-    EXPECT_EQ(links.left_out[0].reason, "excluded by --link");
+    EXPECT_EQ(links.left_out[0].reason, "excluded by --keep or --skip");
     EXPECT_EQ(links.left_out[1].link, "open");
     EXPECT_EQ(links.left_out[1].reason, no_elements);
     EXPECT_FALSE(links.all());

@@ -106,7 +106,7 @@ TEST_F(Match, AGlobOfNoLink) {
         original({"t*", "elbow"});
         FAIL();
     } catch (const Error& error) {
-        EXPECT_THAT(error.what(), HasSubstr("'elbow' names no link of "));
+        EXPECT_THAT(error.what(), HasSubstr("--keep 'elbow' matches no link of "));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "support/shared_folder.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/robot/held_joints.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/registry.hpp>
 #include <foam/sdk/stage.hpp>
@@ -10,6 +11,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace foam::test {
@@ -207,6 +209,30 @@ TEST(Kinematics, RobotsThatWereNotReadFromAUrdf) {
     } catch (const Error& error) { // no text has a line of it
         EXPECT_STREQ(error.what(), "joint 'j' is to follow joint 'k', but there is no such joint");
     }
+}
+
+TEST(Kinematics, HeldJointsStandStillWithThoseThatMimic) {
+    const auto free = load(robot(joint("j", "revolute", "a", "b", "<axis xyz='0 0 1'/><origin xyz='1 0 0'/>"
+                                                                  "<limit lower='-1' upper='2'/>") +
+                                 joint("k", "revolute", "b", "c", "<mimic joint='j' multiplier='-2' offset='0.5'/>"
+                                                                  "<limit lower='-9' upper='9'/>") +
+                                 joint("l", "prismatic", "c", "d", "<limit lower='0' upper='1'/>")));
+    const Kinematics moving(free), still(std::make_shared<const Robot>(with_joints_held(*free, {{"j", 0.7}})));
+    ASSERT_EQ(still.freedoms().size(), 1u);
+    EXPECT_EQ(still.freedoms().front().joint, "l");
+    const auto there = moving.link_poses(std::vector{0.7, 0.4}), here = still.link_poses(std::vector{0.4});
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        for (const Vec3& p : {Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+            EXPECT_LE(distance(there[i] * p, here[i] * p), 1e-15);
+        }
+    }
+    EXPECT_EQ(why_not_held(*free, "j", 2), "");
+    EXPECT_EQ(why_not_held(*free, "j", 2.5), "joint 'j' moves from -1 to 2 rad, and 2.5 is outside");
+    EXPECT_EQ(why_not_held(*free, "k", 0), "joint 'k' follows joint 'j'; remedy: hold that one");
+    EXPECT_EQ(why_not_held(*free, "x", 0).find("arm.urdf has no joint 'x'"), 0u);
+    EXPECT_NE(why_not_held(*free, "l", std::numeric_limits<double>::quiet_NaN()), "");
+    EXPECT_THROW(with_joints_held(*free, {{"j", 3}}), Error);
+    EXPECT_EQ(tips_of(*free), std::vector<std::string>{"d"});
 }
 
 /// Freedoms counted in the files by hand: movable joints without those that mimic.

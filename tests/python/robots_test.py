@@ -58,6 +58,33 @@ def model(panda):
     return panda.spherize(40, effort="fast")
 
 
+def test_links_are_kept_skipped_and_weighed(arm):
+    assert list(arm.spherize(6, effort="fast", skip="tip")) == ["base", "upper"]
+    assert list(arm.spherize(6, effort="fast", keep=["base", "t*"])) == ["base", "tip"]
+    assert list(arm.approximate(6, "box", effort="fast", keep="[bu]*", skip=["base"])) == ["upper"]
+    light, heavy = (arm.spherize(12, effort="fast", weights={"*": 1, "upper": weight}) for weight in (1e-3, 1e3))
+    assert len(light["upper"]) < len(heavy["upper"])
+    assert len(arm.spherize(12, effort="fast", weights={"upper": 1e3}, links={"upper": {"weight": 1e-3}})["upper"]) == len(light["upper"])
+    for wrong, message in (
+        ({"skip": "tpi"}, "skip 'tpi' matches no link of arm.urdf; did you mean 'tip'"),
+        ({"keep": ["upr*"]}, "did you mean 'upper'"),
+        ({"skip": "*"}, "leave no link"),
+        ({"weights": {"upper": 0}}, "weight expects a factor above 0"),
+        ({"weights": {"uper": 1}}, "did you mean 'upper'"),
+    ):
+        with pytest.raises(foam.UsageError, match=message):
+            arm.spherize(6, **wrong)
+
+
+def test_the_tool_frame_of_a_file_is_the_one_tip(arm, panda, model, tmp_path):
+    (file,) = arm.spherize(6, effort="fast").save(tmp_path / "arm.xrdf")
+    assert "tip" in file.read_text().split("tool_frames:")[1]
+    with pytest.raises(foam.UsageError, match="last links of the robot are .*tool_frames="):
+        model.save(tmp_path / "panda.xrdf")
+    with pytest.raises(foam.UsageError, match="lock_joints: joint 'panda_finger_joint1' moves from 0 to 0.04 m"):
+        model.save(tmp_path / "panda.xrdf", tool_frames=["panda_hand"], lock_joints={"panda_finger_joint1": 4})
+
+
 def test_a_robot_has_its_links_joints_and_meshes(arm):
     assert (arm.name, arm.root, arm.links) == ("arm", "base", ["base", "upper", "tip"])
     turn, fix = arm.joints

@@ -160,6 +160,25 @@ TEST_F(RecipeValues, LengthsMayHaveAUnit) {
     EXPECT_EQ(recipe.filters.back().given.at("step"), ParameterValue(0.007));
 }
 
+TEST_F(RecipeValues, LengthsWithoutAUnitAreKnown) {
+    const RecipeResult result =
+        parse_chain("pad: 5\nbudget: {max_protrusion: 10mm, spheres: 3}\n"
+                    "links: {a: {max_protrusion: 2, clip: [{normal: [0, 0, 1], offset: -2cm, reach: 7}]}}\n",
+                    {{"stages.smooth.fixture.step", "3"}});
+    ASSERT_TRUE(result.ok()) << text_of(result.diagnostics);
+    std::map<std::string, double> lengths;
+    for (const PlainLength& length : result.recipes.at(0).plain_lengths) {
+        lengths[length.name] = length.metres;
+    }
+    EXPECT_EQ(lengths, (std::map<std::string, double>{
+                           {"pad", 5}, {"max_protrusion", 2}, {"reach of clip", 7}, {"step of smooth.fixture", 3}}));
+    EXPECT_EQ(question_about({"pad", 5}, 0.8, "the robot"),
+              "pad is 5 m, larger than the robot (800 mm); if it is in millimetres: 5mm");
+    EXPECT_EQ(question_about({"pad", 0.7}, 0.8, "the robot"), "");
+    EXPECT_EQ(question_about({"offset of clip", -5}, 0.8, "the robot").substr(0, 21), "offset of clip is -5 ");
+    EXPECT_EQ(question_about({"pad", 5}, 0, "what is empty"), "");
+}
+
 TEST_F(RecipeValues, SettingsToNullTakeKeysAway) {
     const RecipeResult result = parse_chain("budget: {spheres: 3}\nsweep: {seed: [1, 2]}\n",
                                             {{"sweep", "null"}, {"budget.spheres", "~"}, {"stages.0", ""}});

@@ -183,8 +183,7 @@ TEST_F(WriteVamp, AJointThatMimicsAPlannedOneIsRefused) { // 2
     model_.facts.lock_joints.clear();
     EXPECT_EQ(refusal(*vamp(), model_),
               "write.vamp: joint 'other_finger' mimics 'finger', and cricket would plan each of them; remedy: hold "
-              "them: robot: {lock_joints: {finger: VALUE}} in the recipe, --set 'robot.lock_joints={finger: VALUE}', "
-              "or foam convert --lock finger=VALUE");
+              "them: --lock finger=VALUE, or robot: {lock_joints: {finger: VALUE}} in the recipe");
     model_.facts.lock_joints = {{"finger", 0}, {"lift", 0}, {"roll", 0}};
     EXPECT_THAT(refusal(*vamp(), model_), HasSubstr("needs a joint that moves and is not locked"));
     model_.facts.lock_joints = {{"drift", 0}};

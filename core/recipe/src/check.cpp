@@ -1,6 +1,7 @@
 #include <foam/recipe/internal/check.hpp>
 
 #include "format.hpp"
+#include "plain_length.hpp"
 
 #include <foam/base/file.hpp>
 #include <foam/recipe/internal/keys.hpp>
@@ -428,6 +429,7 @@ Recipe check_recipe(const Value& root, const std::filesystem::path& file, const 
     }
     check_outputs(root.find("outputs"), root, recipe, checking);
     check_snapshots(root.find("snapshots"), root, recipe, checking);
+    recipe.plain_lengths = plain_lengths(root, checking.registry);
     return recipe;
 }
 

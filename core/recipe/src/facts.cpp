@@ -56,7 +56,9 @@ void read_fact(const Value& value, const FactKey& key, JointValues& fact, Findin
 const std::vector<FactKey>& fact_keys() {
     static const std::vector<FactKey> keys{
         {"base_link", "The link that the robot stands on; absent: the root of the URDF.", "", &RobotFacts::base_link},
-        {"tool_frames", "The links that a planner moves to a goal.", "", &RobotFacts::tool_frames},
+        {"tool_frames",
+         "The links that a planner moves to a goal; absent: the tip of a robot with one, where a format needs it.", "",
+         &RobotFacts::tool_frames},
         {"lock_joints", "Joints that a planner holds, and their positions, rad or m: the fingers of a gripper.", "",
          &RobotFacts::lock_joints},
         {"default_pose", "The rest position of joints, rad or m; joints not named: zero, moved into the limits.", "",

@@ -1,5 +1,7 @@
 #include <foam/recipe/quick_recipe.hpp>
 
+#include "quick_choices.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
 #include <foam/base/internal/files.hpp>
@@ -10,7 +12,6 @@
 #include <foam/sdk/stage.hpp>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,11 @@ std::string parameters_of(const QuickMethod& method, const StageInfo& stage) {
     return fmt::format("{{{}}}", fmt::join(parts, ", "));
 }
 
+/// Returns the length as YAML: a unit stays, so that only a length without one is questioned.
+std::string length_in_recipe(const QuickLength& length) {
+    return to_text(length.metres) + (length.has_unit ? "m" : "");
+}
+
 std::string budget_text(const QuickBudget& budget, bool elements) {
     std::vector<std::string> parts;
     if (budget.spheres) {
@@ -145,7 +151,7 @@ std::string budget_text(const QuickBudget& budget, bool elements) {
         parts.push_back("excess: " + to_text(*budget.excess));
     }
     if (budget.max_protrusion) {
-        parts.push_back("max_protrusion: " + to_text(*budget.max_protrusion));
+        parts.push_back("max_protrusion: " + length_in_recipe(*budget.max_protrusion));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -223,24 +229,18 @@ std::string own_format(const std::filesystem::path& input, const Registry& regis
 
 QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
-                         const Registry& registry) {
+                         const Registry& registry, const RobotChoices& choices) {
     const RegisteredStage* writer = &writer_for(ending, registry);
     QuickRecipe recipe;
     recipe.name = plain_name(input) + (method.elements ? "_elements" : "_spheres");
     recipe.output = recipe.name + "." + (writer->info.extensions.empty() ? ending : writer->info.extensions.front());
-    const auto quoted = [](const std::string& text) { // a JSON string is a YAML string
-        try {
-            return nlohmann::json(text).dump();
-        } catch (const nlohmann::json::type_error&) {
-            throw Error(ErrorCode::usage, fmt::format("{}: its name is not UTF-8, as recipes are; remedy: another name "
-                                                      "for the file or its folder",
-                                                      shown(text)));
-        }
-    };
-    recipe.text = fmt::format("foam: 1\nname: {}\n", quoted(recipe.name));
-    const std::string file = quoted(std::filesystem::absolute(input).lexically_normal().string());
-    recipe.text +=
-        is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file) : fmt::format("robot:\n  urdf: [{}]\n", file);
+    recipe.text = fmt::format("foam: 1\nname: {}\n", json_string(recipe.name));
+    const std::string file = json_string(std::filesystem::absolute(input).lexically_normal().string());
+    if (is_mesh(input, registry)) {
+        refuse_choices_of_mesh(choices, input.string());
+    }
+    recipe.text += is_mesh(input, registry) ? fmt::format("mesh: [{}]\n", file)
+                                            : fmt::format("robot:\n  urdf: [{}]\n{}", file, robot_keys(choices));
     if (const std::string why =
             why_refused(unit, input, is_mesh(input, registry) ? InputKind::mesh : InputKind::robot, registry);
         !why.empty()) {
@@ -249,6 +249,7 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     recipe.text += unit.unit ? fmt::format("unit: {}\n", *unit.unit) : "";
     recipe.text += unit.scale != 1 ? fmt::format("scale: {}\n", to_text(unit.scale)) : "";
     recipe.text += geometry != "collision" ? fmt::format("cover: {}\n", geometry) : "";
+    recipe.text += budget.pad ? fmt::format("pad: {}\n", length_in_recipe(*budget.pad)) : "";
     recipe.text += "stages:\n";
     const StageInfo& spheres =
         (method.elements && method.stage.empty() ? stage_for(method.kinds, registry) : stage_named(method, registry))
@@ -275,8 +276,9 @@ QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& 
     if (const std::string text = budget_text(budget, method.elements); !text.empty()) {
         recipe.text += fmt::format("budget: {{{}}}   # for the whole robot\n", text);
     }
+    recipe.text += links_key(choices);
     recipe.text +=
-        fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, quoted(recipe.output));
+        fmt::format("guarantee: outer\noutputs:\n  - {}: {{file: {}}}\n", writer->info.name, json_string(recipe.output));
     return recipe;
 }
 

@@ -29,6 +29,17 @@ void require_known_joints(const Robot& robot, const JointValues& values) {
 
 } // namespace
 
+std::vector<std::string> tips_of(const Robot& robot) {
+    std::vector<std::string> tips;
+    for (const Link& link : robot.links) {
+        if (std::none_of(robot.joints.begin(), robot.joints.end(),
+                         [&](const Joint& joint) { return joint.parent == link.name; })) {
+            tips.push_back(link.name);
+        }
+    }
+    return tips;
+}
+
 std::vector<std::filesystem::path> mesh_files(const Robot& robot) {
     std::vector<std::filesystem::path> files;
     for (const Link& link : robot.links) {

@@ -314,7 +314,13 @@ RunResult run_in(const Workspace& preparing, std::optional<RunDirectory>& direct
     journal.begin("reading");
     journal.expect(1);
     const Input input = load_input(preparing);
+    if (preparing.options.robot_known) {
+        preparing.options.robot_known(*input.robot);
+    }
     check_names(preparing, input);
+    for (const std::string& sentence : facts_for_outputs(preparing, *input.robot).said) {
+        journal.finding({Severity::info, "", "", sentence});
+    }
     result.input = input.chosen;
     result.input_file = input.file;
     journal.emit(Event::Kind::run_started, input.file.string());

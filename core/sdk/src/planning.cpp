@@ -1,6 +1,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/robot/kinematics.hpp>
+#include <foam/sdk/stage.hpp>
 #include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
@@ -81,30 +82,42 @@ const std::string& base_link(const SphereModel& model) {
     return model.facts.base_link;
 }
 
-/// Returns a sentence about the links that no joint moves another link from: a tool frame is often one of them, or
-/// above them. Names a few.
-static std::string last_links(const Robot& robot) {
-    constexpr std::size_t most = 4;
-    std::vector<std::string> last;
-    for (const Link& link : robot.links) {
-        if (std::none_of(robot.joints.begin(), robot.joints.end(),
-                         [&](const Joint& joint) { return joint.parent == link.name; })) {
-            last.push_back(shown(link.name));
-        }
+/// Returns the names of the tips, of many the first few: a tool frame is often one of them, or above them.
+static std::string tips_text(const Robot& robot) {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> tips = tips_of(robot);
+    std::transform(tips.begin(), tips.end(), tips.begin(), [](const std::string& tip) { return shown(tip); });
+    const bool more = tips.size() > most;
+    tips.resize(std::min(tips.size(), most));
+    return fmt::format("{}{}", fmt::join(tips, ", "), more ? ", …" : "");
+}
+
+/// Returns what to do for a writer without tool frames.
+static std::string without_tool_frames(const std::string& writer, const Robot* robot) {
+    return fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
+                       "{{tool_frames: [LINK]}} in the recipe, or tool_frames=[\"LINK\"] in Python",
+                       writer, robot ? "; the last links of the robot are " + tips_text(*robot) : "");
+}
+
+std::string give_tool_frame(RobotFacts& facts, const Robot& robot, const StageInfo& writer, bool into) {
+    if (into || !writer.consumer.tool_frames || !facts.tool_frames.empty() || has_only_names(robot)) {
+        return "";
     }
-    const bool more = last.size() > most;
-    last.resize(std::min(last.size(), most));
-    return fmt::format("; the last links of the robot are {}{}", fmt::join(last, ", "), more ? ", …" : "");
+    const std::vector<std::string> tips = tips_of(robot);
+    if (tips.size() != 1) {
+        throw Error(ErrorCode::usage, without_tool_frames(writer.name, &robot));
+    }
+    facts.tool_frames = tips;
+    return sentence_about_tool_frame(tips.front());
+}
+
+std::string sentence_about_tool_frame(const std::string& tip) {
+    return fmt::format("the tool frame is '{}', the only tip of the robot; another: --tool-frame LINK", shown(tip));
 }
 
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer) {
     if (model.facts.tool_frames.empty()) {
-        throw Error(
-            ErrorCode::output,
-            fmt::format("{} needs the links that a planner moves to a goal{}; remedy: --tool-frame LINK, robot: "
-                        "{{tool_frames: [LINK]}} in the recipe, --set robot.tool_frames=[LINK], or "
-                        "tool_frames=[\"LINK\"] in Python",
-                        writer, model.robot ? last_links(*model.robot) : ""));
+        throw Error(ErrorCode::output, without_tool_frames(writer, model.robot.get()));
     }
     for (const std::string& frame : model.facts.tool_frames) {
         require_link(model, frame, "tool_frames");

@@ -119,12 +119,23 @@ Robot without_missing_visuals(Robot robot) {
     return robot;
 }
 
-/// Sets of each link whether spheres are judged by it. Spheres are not judged by the spheres of a sphere model.
-void judge_links(ViewedRobot& robot, CoveredGeometry geometry) {
-    const bool by_model = is_sphere_model(*robot.robot) && geometry != CoveredGeometry::visual;
-    const Robot covered = with_covered_geometry(*robot.robot, geometry);
+/// Moves the joints that are named.
+void set_joints(NamedPose& pose, const JointValues& values, const Kinematics& kinematics) {
+    for (std::size_t i = 0; i < pose.configuration.size(); ++i) {
+        if (const auto value = values.find(kinematics.freedoms()[i].joint); value != values.end()) {
+            pose.configuration[i] = value->second;
+        }
+    }
+}
+
+/// Sets of each link whether spheres are judged by it: of those that are chosen. Spheres are not judged by the spheres
+/// of a sphere model.
+void judge_links(ViewedRobot& robot, const SubjectOptions& options) {
+    const bool by_model = is_sphere_model(*robot.robot) && options.geometry != CoveredGeometry::visual;
+    const Robot covered = with_covered_geometry(*robot.robot, options.geometry);
     for (std::size_t l = 0; l < robot.links.size(); ++l) {
-        robot.links[l].judged = !by_model && !covered.links[l].collisions.empty();
+        const Link& link = covered.links[l];
+        robot.links[l].judged = !by_model && !link.collisions.empty() && is_chosen(options.choices, link.name);
         robot.judged |= robot.links[l].judged;
     }
 }
@@ -166,10 +177,10 @@ ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& 
     const auto robot = std::make_shared<const Robot>(without_missing_visuals(*input->robot));
     result.robot = robot;
     result.kinematics = std::make_shared<const Kinematics>(robot);
-    result.poses = named_poses(*result.kinematics, options.srdf);
+    result.poses = named_poses(*result.kinematics, options.srdf, options.choices.locks);
     result.links.resize(robot->links.size());
     const bool spheres = is_sphere_model(*robot);
-    judge_links(result, options.geometry);
+    judge_links(result, options);
 
     const Robot all = with_all_elements(*robot, !spheres);
     LoadedLinks loaded = load_links(calls, reading, all, [](const Link&) { return true; }, {});
@@ -210,21 +221,21 @@ ViewedRobot robot_of_names(const SphereFile& file) {
     return result;
 }
 
-std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf) {
+std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf,
+                                   const JointValues& locks) {
     std::vector<NamedPose> poses{{"zero", kinematics.configuration()}, {"middle", {}}};
     for (const Freedom& freedom : kinematics.freedoms()) {
         poses.back().configuration.push_back((freedom.lower + freedom.upper) / 2);
     }
-    if (srdf.empty()) {
-        return poses;
-    }
-    for (const GroupState& state : group_states(read_file(srdf, most_robot_bytes), srdf.string())) {
+    const std::vector<GroupState> states = srdf.empty()
+                                               ? std::vector<GroupState>{}
+                                               : group_states(read_file(srdf, most_robot_bytes), srdf.string());
+    for (const GroupState& state : states) {
         NamedPose& pose = poses.emplace_back(NamedPose{state.name, kinematics.configuration()});
-        for (std::size_t i = 0; i < pose.configuration.size(); ++i) { // joints of another version are left out
-            if (const auto value = state.values.find(kinematics.freedoms()[i].joint); value != state.values.end()) {
-                pose.configuration[i] = value->second;
-            }
-        }
+        set_joints(pose, state.values, kinematics); // joints of another version are left out
+    }
+    for (NamedPose& pose : poses) {
+        set_joints(pose, locks, kinematics);
     }
     return poses;
 }

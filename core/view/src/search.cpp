@@ -81,6 +81,26 @@ std::vector<Sphere> closed_link(const Solid& solid, const std::vector<Sphere>& s
     return finished(solid, spheres);
 }
 
+/// Adds what the options say of links. `allocated`: weights have an effect.
+static void add_choices(Recipe& recipe, const ViewedRobot& robot, const RobotChoices& choices, bool allocated) {
+    for (const Link& link : robot.robot->links) {
+        if (!is_chosen(choices, link.name)) {
+            LinkOverride change;
+            change.glob = glob_of_name(link.name);
+            change.skip = true;
+            recipe.links.push_back(std::move(change));
+        }
+    }
+    for (const auto& [glob, weight] : choices.weights) {
+        LinkOverride change;
+        change.glob = glob;
+        change.weight = weight;
+        if (allocated) {
+            recipe.links.push_back(std::move(change));
+        }
+    }
+}
+
 Recipe recipe_of(const ViewedRobot& robot, const SubjectOptions& options, Registry& registry, const ModelState& state,
                  std::optional<std::size_t> count, bool everything) {
     const QuickBudget budget{.spheres = count, .excess = {}, .max_protrusion = {}};
@@ -94,11 +114,12 @@ Recipe recipe_of(const ViewedRobot& robot, const SubjectOptions& options, Regist
         throw Error(ErrorCode::internal, read.diagnostics.front().text());
     }
     Recipe recipe = std::move(read.recipes.front());
+    add_choices(recipe, robot, options.choices, count.has_value());
     for (std::size_t l = 0; l < state.size(); ++l) {
         const std::vector<Sphere> kept = everything ? state[l]->spheres : pinned_in(*state[l]);
         const bool without = everything && kept.empty() && robot.links[l].judged;
         const double weight = everything ? 1 : state[l]->weight; // without a budget nothing is allocated
-        if (kept.empty() && weight == 1 && !without) {
+        if ((kept.empty() && weight == 1 && !without) || !is_chosen(options.choices, robot.robot->links[l].name)) {
             continue;
         }
         LinkOverride change;

@@ -19,8 +19,9 @@ inline std::size_t link_index(const Robot& robot, const std::string& link) {
 }
 
 /// Returns "zero" (moved into the limits), "middle" of the limits, and the group states of an SRDF, which set the
-/// joints that they name. Throws Error(input) for an SRDF that cannot be read.
-std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf);
+/// joints that they name; in all of them `locks` stand where they are held. Throws Error(input) for an SRDF that cannot be read.
+std::vector<NamedPose> named_poses(const Kinematics& kinematics, const std::filesystem::path& srdf,
+                                   const JointValues& locks = {});
 
 /// Reads a URDF, or a mesh as a robot of one link. Adds to `notes` what is left out.
 ViewedRobot load_robot(const std::filesystem::path& file, const SubjectOptions& options, const Registry& registry,

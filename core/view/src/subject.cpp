@@ -8,6 +8,7 @@
 #include <foam/base/text.hpp>
 #include <foam/judge/evaluate.hpp>
 #include <foam/judge/written_model.hpp>
+#include <foam/recipe/internal/glob.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
@@ -101,6 +102,7 @@ private:
             rename_links(spheres, options_.renames);
             name_only_link(spheres, nullptr);
             subject_.robots.push_back(robot_of_names(spheres));
+            require_choices(options_.choices, *subject_.robots.back().robot);
             subject_.notes.push_back(fmt::format("{}: without its robot all links lie in one frame, and nothing is "
                                                  "proved; remedy: foam view ROBOT MODEL",
                                                  shown(file.string())));
@@ -111,6 +113,9 @@ private:
     /// A URDF is a sphere model of the robot before it if they share a link; otherwise, it is a robot.
     void add_robot(const std::filesystem::path& file) {
         ViewedRobot robot = load_robot(file, options_, registry_, subject_.notes);
+        if (subject_.robots.empty()) { // of several robots the first must have what is chosen
+            require_choices(options_.choices, *robot.robot);
+        }
         if (has_spheres(*robot.robot) && !subject_.robots.empty() &&
             shares_a_link(subject_.robots.back(), *robot.robot)) {
             add_model(file, read(file), options_.renames);
@@ -211,7 +216,13 @@ std::vector<std::filesystem::path> inputs_of(const Subject& subject, const Subje
 }
 
 Original original_of(const ViewedRobot& robot, const SubjectOptions& options, const Registry& registry) {
-    return original_of(robot.loaded, registry, {.geometry = options.geometry});
+    std::vector<std::string> judged; // globs; none: all
+    for (std::size_t l = 0; l < robot.links.size() && options.choices != RobotChoices{}; ++l) {
+        if (robot.links[l].judged) {
+            judged.push_back(glob_of_name(robot.robot->links[l].name));
+        }
+    }
+    return original_of(robot.loaded, registry, {.links = std::move(judged), .geometry = options.geometry});
 }
 
 } // namespace foam::inline view

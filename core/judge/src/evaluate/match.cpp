@@ -83,7 +83,7 @@ private:
             if (known->collisions.empty()) {
                 note(fmt::format("link '{}' has {}, but no geometry to judge them by", name, content));
             }
-            return; // a link that --link excludes: the user said so, and the verdict names it
+            return; // a link that is not chosen: the user said so, and the verdict names it
         }
         if (!place_above(link)) {
             note(fmt::format("{} of link '{}' {} ignored: {} has no such link", content, name,

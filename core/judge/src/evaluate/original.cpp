@@ -2,7 +2,8 @@
 #include "evaluate/original.hpp"
 
 #include <foam/base/file.hpp>
-#include <foam/recipe/internal/glob.hpp>
+#include <foam/recipe/robot_choices.hpp>
+#include <foam/robot/held_joints.hpp>
 #include <foam/runtime/internal/links.hpp>
 
 #include <fmt/format.h>
@@ -11,22 +12,6 @@
 
 namespace foam::inline judge {
 namespace {
-
-bool is_chosen(const Link& link, const std::vector<std::string>& globs) {
-    return globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-               return glob == link.name || glob_matches(glob, link.name);
-           });
-}
-
-/// Throws Error(usage) for a glob that matches no link.
-void require_matches(const std::vector<std::string>& globs, const Robot& robot) {
-    for (const std::string& glob : globs) {
-        if (std::none_of(robot.links.begin(), robot.links.end(),
-                         [&](const Link& link) { return is_chosen(link, {glob}); })) {
-            throw Error(ErrorCode::usage, fmt::format("'{}' names no link of {}", glob, robot.file.string()));
-        }
-    }
-}
 
 /// Returns the solids of the links that were loaded. Throws the error of a link that could not be.
 std::vector<OriginalLink> solids_of(const std::vector<LoadedLink>& links) {
@@ -76,17 +61,19 @@ std::shared_ptr<const LoadedInput> read_original(const std::filesystem::path& fi
 
 Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& registry,
                      const OriginalOptions& options) {
-    require_matches(options.links, *loaded->robot);
+    const RobotChoices choices{.keep = options.links, .skip = options.skip, .locks = options.held};
+    require_choices(choices, *loaded->robot);
     Original result;
     result.file = loaded->chosen;
     result.geometry = options.geometry;
     result.collision_only = uncovered_links(*loaded->robot, options.geometry);
-    result.robot = std::make_shared<const Robot>(with_covered_geometry(*loaded->robot, options.geometry));
+    result.robot = std::make_shared<const Robot>(
+        with_joints_held(with_covered_geometry(*loaded->robot, options.geometry), options.held));
     const RunOptions run;
     Journal journal(nullptr);
     journal.repeat(loaded->log, "", loaded->report.stage);
     LoadedLinks links = load_links(
-        {registry, run, journal}, {}, *result.robot, [&](const Link& link) { return is_chosen(link, options.links); },
+        {registry, run, journal}, {}, *result.robot, [&](const Link& link) { return is_chosen(choices, link.name); },
         loaded->meshes);
     for (LoadedLink& link : links.links) {
         link.covers = options.covers;

@@ -25,7 +25,7 @@ ProvedLinks verdict_on(const Original& original, const MatchedModel& model, cons
         }
         ++links.with_geometry;
         if (next == original.links.size() || original.links[next].link != link.name) {
-            links.left_out.push_back({link.name, "excluded by --link"});
+            links.left_out.push_back({link.name, "excluded by --keep or --skip"});
         } else if (proved[next++]) {
             ++links.proved;
             const std::string why = why_surface_alone(*original.links[next - 1].solid);

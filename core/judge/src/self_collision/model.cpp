@@ -5,6 +5,8 @@
 #include <foam/base/parallel.hpp>
 #include <foam/geometry/measure.hpp>
 #include <foam/judge/collision_model.hpp>
+#include <foam/recipe/robot_choices.hpp>
+#include <foam/robot/held_joints.hpp>
 #include <foam/sdk/context.hpp>
 #include <foam/sdk/stage.hpp>
 
@@ -59,23 +61,34 @@ void refuse_mesh(const LoadedInput& loaded) {
     }
 }
 
-CollisionModel collision_model_of(const std::shared_ptr<const LoadedInput>& loaded, const Registry& registry,
-                                  std::size_t spheres_per_link) {
-    refuse_mesh(*loaded);
-    CollisionModel model;
-    model.robot = loaded->robot;
-    model.elements.resize(model.robot->links.size());
-    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
+/// Takes the spheres of links that have nothing else. Returns whether a link that is chosen has geometry.
+static bool take_own_spheres(const RobotChoices& choices, CollisionModel& model) {
     bool any = false;
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
         const Link& link = model.robot->links[i];
-        any = any || !link.collisions.empty();
-        if (take_spheres(link, model.elements[i]) && !link.collisions.empty()) {
+        if (link.collisions.empty() || !is_chosen(choices, link.name)) {
+            continue;
+        }
+        any = true;
+        if (take_spheres(link, model.elements[i])) {
             model.sources[i] = CollisionModel::Source::geometry;
         }
     }
-    if (any) {
-        const Original original = original_of(loaded, registry);
+    return any;
+}
+
+CollisionModel collision_model_of(const std::shared_ptr<const LoadedInput>& loaded, const Registry& registry,
+                                  std::size_t spheres_per_link, const OriginalOptions& options) {
+    refuse_mesh(*loaded);
+    const RobotChoices choices{.keep = options.links, .skip = options.skip, .locks = options.held};
+    require_choices(choices, *loaded->robot);
+    CollisionModel model;
+    model.robot = std::make_shared<const Robot>(
+        with_joints_held(with_covered_geometry(*loaded->robot, options.geometry), options.held));
+    model.elements.resize(model.robot->links.size());
+    model.sources.resize(model.robot->links.size(), CollisionModel::Source::none);
+    if (take_own_spheres(choices, model)) {
+        const Original original = original_of(loaded, registry, options);
         model.notes = original.notes;
         take_solids(original, model);
         const auto spherizer = registry.make<Spherizer>("spherize.cover", {{"effort", "fast"}});
@@ -98,7 +111,7 @@ CollisionModel load_collision_model(const std::filesystem::path& urdf, const Reg
                                     std::size_t spheres_per_link, const OriginalOptions& options) {
     OriginalOptions named = options;
     named.name = options.name.empty() ? urdf : options.name; // messages have the file as it is given
-    return collision_model_of(read_original(urdf, registry, named), registry, spheres_per_link);
+    return collision_model_of(read_original(urdf, registry, named), registry, spheres_per_link, named);
 }
 
 CollisionModel collision_model_of(const Original& original, const MatchedModel& matched) {

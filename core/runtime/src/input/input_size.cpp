@@ -114,27 +114,15 @@ void warn_of_robot_size(const Workspace& workspace, const Input& input, const st
                                                 link->link->name, unit_name(unit), factor, factor, factor))});
 }
 
-/// Warns of a length of the recipe that is larger than the whole input.
-void warn_of_length(const Workspace& workspace, const char* key, double length, const char* effect,
-                    const InputSize& size) {
-    const double edge = longest_edge(size.box);
-    if (!size.box.empty() && length > edge) {
-        workspace.journal.finding({Severity::warning, "", "",
-                                   fmt::format("{} is {}, larger than the whole input ({}){}; if it is in "
-                                               "millimetres: {}mm",
-                                               key, length_text(length), length_text(edge), effect,
-                                               number_text(length))});
+/// Questions lengths without a unit that are larger than the whole input.
+void warn_of_lengths(const Workspace& workspace, const InputSize& size) {
+    for (const PlainLength& length : workspace.recipe.plain_lengths) {
+        const std::string question =
+            size.box.empty() ? "" : question_about(length, longest_edge(size.box), "the whole input");
+        if (!question.empty()) {
+            workspace.journal.finding({Severity::warning, "", "", question});
+        }
     }
-}
-
-void warn_of_lengths(const Workspace& workspace, const std::vector<LinkWork>& links, const InputSize& size) {
-    double protrusion = 0, pad = 0;
-    for (const LinkWork& link : links) {
-        protrusion = std::max(protrusion, link.recipe.max_protrusion.value_or(0));
-        pad = std::max(pad, link.recipe.pad);
-    }
-    warn_of_length(workspace, "max_protrusion", protrusion, ": it has no effect", size);
-    warn_of_length(workspace, "pad", pad, "", size);
 }
 
 } // namespace
@@ -157,7 +145,7 @@ void tell_input_size(const Workspace& workspace, const Input& input, const std::
     const bool robot = !workspace.recipe.urdf.empty();
     workspace.journal.emit(Event::Kind::input_loaded, text_of(input, size, robot));
     robot ? warn_of_robot_size(workspace, input, links, size) : warn_of_mesh_size(workspace, input, size);
-    warn_of_lengths(workspace, links, size);
+    warn_of_lengths(workspace, size);
 }
 
 } // namespace foam::runtime

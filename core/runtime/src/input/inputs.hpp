@@ -23,11 +23,20 @@ std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Robot& robot);
 /// Throws Error(recipe) with the errors among the findings, if there are any.
 void require_names(const std::vector<Diagnostic>& findings);
 
+/// What the files of a run's outputs state of the robot.
+struct FactsForOutputs {
+    RobotFacts facts;
+    std::vector<std::string> said; ///< of what the recipe leaves open, for people
+};
+/// Returns the facts of the recipe, with the one tip of the robot as tool frame where an output needs one. Throws
+/// Error(usage), naming the tips and the remedy, if there are several.
+FactsForOutputs facts_for_outputs(const Workspace& workspace, const Robot& robot);
+
 /// Returns the size of the loaded geometry, without links that are skipped or could not be read.
 InputSize input_size(const Robot& robot, const std::vector<LinkWork>& links);
 
-/// Reports the size, and warns of one that suggests another unit: an input below 1 mm or above 20 m, a max_protrusion or
-/// a pad above the size of the input.
+/// Reports the size, and warns of one that suggests another unit: an input below 1 mm or above 20 m, a length of the
+/// recipe without a unit that is larger than the input.
 void tell_input_size(const Workspace& workspace, const Input& input, const std::vector<LinkWork>& links,
                      const InputSize& size);
 

@@ -1,6 +1,7 @@
 #include "input/inputs.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/robot/held_joints.hpp>
 #include <foam/yaml/findings.hpp>
 
 #include <fmt/format.h>
@@ -55,6 +56,14 @@ public:
         }
     }
 
+    void check_held(const JointValues& held, const Location& where, const char* key) {
+        for (const auto& [joint, position] : held) {
+            if (const std::string why = why_not_held(robot_, joint, position); !why.empty()) {
+                add(Diagnostic::Level::error, where, "not-held", fmt::format("'{}': {}", key, why));
+            }
+        }
+    }
+
     std::vector<Diagnostic> findings;
 
 private:
@@ -85,7 +94,7 @@ std::vector<Diagnostic> unknown_names(const Recipe& recipe, const Robot& robot) 
     names.check_links(facts.tool_frames, recipe.facts_where, "robot.tool_frames");
     names.check_links(facts.base_link.empty() ? std::vector<std::string>{} : std::vector{facts.base_link},
                       recipe.facts_where, "robot.base_link");
-    names.check_pose(facts.lock_joints, recipe.facts_where, "robot.lock_joints");
+    names.check_held(facts.lock_joints, recipe.facts_where, "robot.lock_joints");
     names.check_pose(facts.default_pose, recipe.facts_where, "robot.default_pose");
     names.check_pose(recipe.pose, recipe.pose_where, "snapshots.pose");
     return std::move(names.findings);

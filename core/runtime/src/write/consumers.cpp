@@ -1,3 +1,4 @@
+#include "input/inputs.hpp"
 #include "write/report.hpp"
 
 #include <foam/collision/self_collision.hpp>
@@ -100,7 +101,7 @@ std::string provenance(const Input& input, const FinishedModel& finished, const 
 void complete_model(const Workspace& workspace, const Input& input,
                     const std::optional<ReferenceConfiguration>& reference, const ProvedLinks& proved,
                     FinishedModel& finished) {
-    finished.model.facts = workspace.recipe.facts;
+    finished.model.facts = facts_for_outputs(workspace, *finished.model.robot).facts;
     if (reference && finished.model.facts.default_pose.empty()) {
         finished.model.facts.default_pose = moved_joints(Kinematics(finished.model.robot), reference->configuration);
     }

@@ -19,12 +19,13 @@ void refuse_mesh(const LoadedInput& loaded);
 
 /// Reads a URDF. Collision elements that are spheres are used as they are; a link with any other geometry gets at most
 /// `spheres_per_link` certified covering spheres. Throws Error(input) if the file or a mesh of it cannot be read or if
-/// fewer than two links have collision geometry. Of the options, package_path and name count.
+/// fewer than two links have collision geometry. Of the options, unit and covers do not count.
 CollisionModel load_collision_model(const std::filesystem::path& urdf, const Registry& registry,
                                     std::size_t spheres_per_link, const OriginalOptions& options = {});
-/// Returns the same of a robot that was read: Original::loaded. Meshes that were not kept are read.
+/// Returns the same of a robot that was read: Original::loaded. Meshes that were not kept are read. Of the options,
+/// links, skip, held and geometry count.
 CollisionModel collision_model_of(const std::shared_ptr<const LoadedInput>& loaded, const Registry& registry,
-                                  std::size_t spheres_per_link);
+                                  std::size_t spheres_per_link, const OriginalOptions& options = {});
 
 /// Returns the spheres of a model that was matched to the links of an original. Throws Error(input) if fewer than two
 /// links have spheres.

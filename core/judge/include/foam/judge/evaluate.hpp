@@ -67,15 +67,17 @@ struct OriginalOptions {
     /// need not exist; empty: the file's own.
     std::filesystem::path name{};
     bool keep_meshes = false; ///< in Original::loaded: nothing is read again
+    std::vector<std::string> skip{}; ///< globs of links that are not read, of those that `links` chooses
+    JointValues held{};              ///< joints that stand still in Original::robot; rad or m
 };
 
 /// Reads a URDF, or a mesh if a mesh loader reads the file's ending. Throws Error(input) if the file or a mesh of it
-/// cannot be read, if no link remains to evaluate, or if a glob matches no link; Error(usage) for a unit of a file that
-/// states its own.
+/// cannot be read or if no link remains to evaluate; Error(usage) if a glob matches no link, for a joint that cannot be
+/// held, and for a unit of a file that states its own.
 Original load_original(const std::filesystem::path& file, const Registry& registry,
                        const OriginalOptions& options = {});
 /// Returns the original geometry of a robot that was read; meshes that were not kept are read. Of the options, links,
-/// geometry and keep_meshes count. Errors as load_original().
+/// skip, held, geometry and keep_meshes count. Errors as load_original().
 Original original_of(std::shared_ptr<const LoadedInput> loaded, const Registry& registry,
                      const OriginalOptions& options = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <foam/recipe/mesh_unit.hpp>
+#include <foam/recipe/robot_choices.hpp>
 #include <foam/sdk/registry.hpp>
 
 #include <filesystem>
@@ -14,12 +15,22 @@
 namespace foam {
 inline namespace [[gnu::visibility("default")]] recipe {
 
+/// A length that a user gave.
+struct QuickLength {
+    double metres = 0;
+    bool has_unit = false; ///< "10mm", not 0.01
+
+    QuickLength(double in_metres, bool with_unit = false) : metres(in_metres), has_unit(with_unit) {}
+};
+
 /// What 'budget' says; nothing: the spherizer's own parameters rule.
 struct QuickBudget {
     std::optional<std::size_t> spheres;
-    std::optional<double> excess, max_protrusion; ///< max_protrusion: m
-    std::optional<double> cost{};                 ///< of checking all elements
-    std::map<std::string, double> costs{};        ///< by the words of `costs`
+    std::optional<double> excess;
+    std::optional<QuickLength> max_protrusion;
+    std::optional<double> cost{};          ///< of checking all elements
+    std::map<std::string, double> costs{}; ///< by the words of `costs`
+    std::optional<QuickLength> pad{};      ///< added to all radii
 };
 
 /// The stage that makes the elements.
@@ -44,10 +55,11 @@ struct QuickRecipe {
 };
 
 /// `input`: a mesh or a URDF; `ending`: of the output's name, for which there must be a writer. `unit`: of a mesh.
-/// `geometry`: the word of `cover`. Throws Error(usage) for what is not known.
+/// `geometry`: the word of `cover`. `choices`: of the robot; the names in it are checked by require_choices(). Throws
+/// Error(usage) for what is not known, and for choices of a mesh.
 QuickRecipe quick_recipe(const std::filesystem::path& input, const QuickMethod& method, const std::string& ending,
                          const QuickBudget& budget, const MeshUnit& unit, const std::string& geometry,
-                         const Registry& registry);
+                         const Registry& registry, const RobotChoices& choices = {});
 
 /// Returns the writer of a format: "curobo" is write.curobo; otherwise the only one whose files have that ending.
 /// Throws Error(usage) if there is none, or several.

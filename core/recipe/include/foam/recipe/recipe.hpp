@@ -6,6 +6,7 @@
 #include <foam/geometry/solid.hpp>
 #include <foam/geometry/sphere.hpp>
 #include <foam/recipe/mesh_unit.hpp>
+#include <foam/recipe/plain_length.hpp>
 #include <foam/robot/robot.hpp>
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/registry.hpp>
@@ -158,6 +159,7 @@ struct Recipe : StageChain {
     OnError on_error = OnError::stop;
     bool strict = false; ///< a glob that names no link is an error, not a warning
     Isolation isolation; ///< of the stages without their own setting
+    std::vector<PlainLength> plain_lengths; ///< those of the text
 
     /// The settings for one link: the chain with the overrides and the recipe's isolation merged in.
     struct LinkRecipe : StageChain {

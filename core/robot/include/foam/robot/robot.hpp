@@ -115,6 +115,9 @@ struct Robot {
     const Link* find_link(const std::string& link) const;
 };
 
+/// Returns the tips: the links that no joint moves another link from, in the order of the source.
+std::vector<std::string> tips_of(const Robot& robot);
+
 /// Returns the files of the robot's meshes, collision geometry and visuals.
 std::vector<std::filesystem::path> mesh_files(const Robot& robot);
 

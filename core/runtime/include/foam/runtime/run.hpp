@@ -88,6 +88,8 @@ struct RunOptions {
     /// The name that the content of the recipe's URDF goes by: relative references lead from its folder. It need not
     /// exist; empty: the file's own.
     std::filesystem::path input_name{};
+    /// Called with the robot once it is read, before its meshes are; an exception from it ends the run.
+    std::function<void(const Robot& robot)> robot_known{};
 };
 
 /// A message of a stage about a link.

@@ -232,6 +232,7 @@ struct Consumer {
     /// Its files have a rest pose, or place the links in one: RobotFacts::default_pose.
     bool rest_pose = false;
     bool edits = false; ///< the writer can replace the spheres of a file: SphereModel::into
+    bool tool_frames = false; ///< its files name the links that a planner moves to a goal: RobotFacts::tool_frames
 };
 
 struct StageInfo;

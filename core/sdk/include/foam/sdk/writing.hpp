@@ -17,6 +17,7 @@ inline namespace [[gnu::visibility("default")]] sdk {
 
 class Context;
 struct SphereModel;
+struct StageInfo;
 
 /// What a writer does with the pairs in a file of the user (SphereModel::into).
 enum class PairEdit {
@@ -69,6 +70,12 @@ bool has_only_names(const Robot& robot);
 void require_robot(const SphereModel& model, const std::string& writer);
 /// Returns RobotFacts::base_link, or the root link. Throws Error(output) for a link that the robot does not have.
 const std::string& base_link(const SphereModel& model);
+/// Gives the facts a tool frame where whole files of the writer name one and none is given: the tip of the robot, if it
+/// has one tip alone; see tips_of(). `into`: the file of a user is edited, which has its own. Returns a sentence that
+/// names it; empty if nothing was needed. Throws Error(usage), naming the tips and the remedy, if there are several.
+std::string give_tool_frame(RobotFacts& facts, const Robot& robot, const StageInfo& writer, bool into);
+/// Returns that sentence.
+std::string sentence_about_tool_frame(const std::string& tip);
 /// Returns RobotFacts::tool_frames. Throws Error(output) if there is none, or the robot does not have it.
 const std::vector<std::string>& require_tool_frames(const SphereModel& model, const std::string& writer);
 

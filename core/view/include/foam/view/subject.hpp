@@ -5,6 +5,7 @@
 #include <foam/geometry/sphere.hpp>
 #include <foam/judge/evaluate.hpp>
 #include <foam/recipe/mesh_unit.hpp>
+#include <foam/recipe/robot_choices.hpp>
 #include <foam/robot/kinematics.hpp>
 #include <foam/sdk/registry.hpp>
 
@@ -79,6 +80,7 @@ struct SubjectOptions {
     std::filesystem::path nameless{}; ///< of `files`, the one that holds the standard input; empty: none
     /// The name that its content goes by: relative references lead from its folder.
     std::filesystem::path nameless_name{};
+    RobotChoices choices{}; ///< of the robots; tool_frames play no part
 };
 
 /// Reads the files. The first is a URDF, a mesh or a sphere model; a later one is a sphere model of the robot before
