@@ -42,7 +42,7 @@ HEAD = """# Robots by each kind of element
 Each robot is approximated by 1, 2 and 4 elements a link on average, of one kind. Every model is certified on the numbers that are read back from its file.
 *Excess* is the volume of the elements outside the links as a share of the volume of the links. *Mean* is the mean protrusion, mm.
 *Falsely refused* is the share of 300 random poses in which elements of two links touch, and the geometry of no two links does. *CPU* is the
-time of the whole command on one thread, without the cache. [Evaluating sphere models](../guide/evaluation.md) has the definitions.
+time of the whole command on one thread, without the cache, of a computer that was busy with other work: compare rows with each other alone. [Evaluating sphere models](../guide/evaluation.md) has the definitions.
 
 """
 
