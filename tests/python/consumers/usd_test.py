@@ -54,7 +54,7 @@ def mesh(stage, path, size=1.0, flipped=False):
     made = UsdGeom.Mesh.Define(stage, path)
     made.CreatePointsAttr([Gf.Vec3f(*(size * c for c in p)) for p in CORNERS])
     made.CreateFaceVertexCountsAttr([4] * 6)
-    made.CreateFaceVertexIndicesAttr([c for side in SIDES for c in (side if flipped else side[::-1])])
+    made.CreateFaceVertexIndicesAttr([c for side in SIDES for c in (side[::-1] if flipped else side)])
     if flipped:
         made.CreateOrientationAttr("leftHanded")
     return made
@@ -222,3 +222,89 @@ def test_loops_and_several_robots(tmp_path):
     assert data["root"] == "world"
     assert [(j["kind"], j["parent"], j["child"]) for j in data["joints"] if j["kind"] == "floating"] == [("floating", "world", "a"), ("floating", "world", "d")]
     assert "close a loop" in data["warnings"][0]
+
+
+def shapes_of(folder, define):
+    """Returns the collision geometry of the one link that `define` makes shapes in."""
+    stage = Usd.Stage.CreateNew(str(folder / "shapes.usda"))
+    UsdGeom.SetStageMetersPerUnit(stage, 1)
+    body(stage, "/link")
+    define(stage)
+    stage.Save()
+    return foam.load(folder / "shapes.usda").collision_mesh("link"), told(folder / "shapes.usda")["links"][0]["collisions"]
+
+
+def test_cylinders_lie_along_their_axis(tmp_path):
+    def define(stage):
+        for axis, place in (("X", 0), ("Y", 5), ("Z", 10)):
+            cylinder = collides(UsdGeom.Cylinder.Define(stage, f"/link/{axis}"))
+            cylinder.CreateAxisAttr(axis)
+            cylinder.CreateRadiusAttr(0.1)
+            cylinder.CreateHeightAttr(2)
+            cylinder.AddTranslateOp().Set(Gf.Vec3d(place, place, place))
+
+    _, shapes = shapes_of(tmp_path, define)
+    assert [shape["size"] for shape in shapes] == [[0.1, 2]] * 3
+    for shape, axis in zip(shapes, np.eye(3), strict=True):
+        np.testing.assert_allclose([row[2] for row in shape["pose"]], axis, atol=1e-12)
+
+
+def cone(stage):
+    made = UsdGeom.Cone.Define(stage, "/link/cone")
+    made.CreateRadiusAttr(0.5)
+    made.CreateHeightAttr(2)
+    made.CreateAxisAttr("X")
+    return made, np.pi * 0.5**2 * 2 / 3
+
+
+def sheared(stage):
+    made = UsdGeom.Cube.Define(stage, "/link/cube")
+    made.CreateSizeAttr(1)
+    made.AddTransformOp().Set(Gf.Matrix4d(1, 0, 0, 0, 0.5, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1))
+    return made, 1.0
+
+
+def flat_capsule(stage):
+    made = UsdGeom.Capsule.Define(stage, "/link/capsule")
+    made.CreateRadiusAttr(0.5)
+    made.CreateHeightAttr(1)
+    made.AddScaleOp().Set(Gf.Vec3f(1, 1, 0.5))
+    return made, (np.pi * 0.5**2 + 4 / 3 * np.pi * 0.5**3) / 2
+
+
+def frustum(stage):
+    made = UsdGeom.Cylinder_1.Define(stage, "/link/frustum")
+    made.CreateRadiusBottomAttr(0.5)
+    made.CreateRadiusTopAttr(0.25)
+    made.CreateHeightAttr(1)
+    return made, np.pi * (0.5**2 + 0.5 * 0.25 + 0.25**2) / 3
+
+
+@pytest.mark.parametrize("define", [cone, sheared, flat_capsule, frustum])
+def test_other_convex_shapes_become_meshes_that_hold_them(define, tmp_path):
+    made = []
+    mesh_made, shapes = shapes_of(tmp_path, lambda stage: made.append(define(stage)) or collides(made[0][0]))
+    assert shapes[0]["kind"] == "mesh"
+    assert 1 - 1e-9 <= mesh_made.volume / made[0][1] < 1.02
+
+
+@pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (-1, -2, -1)])
+@pytest.mark.parametrize("flipped", [False, True])
+def test_meshes_are_seen_from_outside(flipped, scale, tmp_path):
+    def define(stage):
+        collides(mesh(stage, "/link/mesh", 0.5, flipped)).AddScaleOp().Set(Gf.Vec3f(*scale))
+
+    made, _ = shapes_of(tmp_path, define)
+    assert made.volume == pytest.approx(abs(np.prod(scale)))
+
+
+def test_approximations_say_what_collides(tmp_path):
+    def define(stage):
+        for number, approximation in enumerate((None, "none", "convexHull", "boundingCube", "convexDecomposition")):
+            collides(mesh(stage, f"/link/m{number}", 0.5), approximation)
+        off = collides(UsdGeom.Sphere.Define(stage, "/link/off"))
+        UsdPhysics.CollisionAPI(off.GetPrim()).CreateCollisionEnabledAttr(False)
+        collides(UsdGeom.Plane.Define(stage, "/link/ground"))
+
+    _, shapes = shapes_of(tmp_path, define)
+    assert [shape["hull"] for shape in shapes] == [False, False, True, True, False]
