@@ -188,7 +188,7 @@ int convert(Program& program, const ConvertArguments& arguments) {
     const KindCounts kinds = kinds_in(model);
     const bool elsewhere = format.info.consumer.elements_optional && !spheres_alone(kinds);
     print(fmt::format("Read: {}, {}, {} of {}\nWritten: {} by {}\n{}{}{}.\n", arguments.model, file.format,
-                      counts_text(kinds), counted(model.groups.size(), "link"), fmt::join(file_names(files), ", "),
+                      counts_text(kinds), counted(model.groups.size(), "link"), names_text(files),
                       format.info.name,
                       elsewhere ? "The file holds no elements, only their pairs of links. Of the elements: " : "",
                       elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)));

@@ -62,6 +62,8 @@ int exit_code_of(const RunResult& result);
 std::string table_of(const RunResult& result, Guarantee guarantee);
 
 std::vector<std::string> file_names(const std::vector<WrittenFile>& files);
+/// Returns the names for people: of many files the first one, and where the others are.
+std::string names_text(const std::vector<WrittenFile>& files);
 
 /// Returns the parameters of a writer from texts like "version=0.7". Throws Error(usage) naming the text for an unknown
 /// name or another type.

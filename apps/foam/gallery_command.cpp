@@ -290,7 +290,8 @@ void add_gallery(Program& program) {
                                     "  foam gallery part.stl 4 16 -o part.png --size 1600x600\n"
                                     "  foam gallery robot.urdf 60 --turntable robot.webp");
     auto arguments = std::make_shared<GalleryArguments>();
-    command->add_option("input", arguments->input, "A URDF, an MJCF or a mesh file; - is the standard input")
+    command->add_option("input", arguments->input,
+                        "A robot (URDF, xacro, MJCF, SDF, USD) or a mesh; - is the standard input")
         ->type_name("INPUT")
         ->required();
     program.standard_input.may_be(arguments->input, StandardInput::Holds::geometry);

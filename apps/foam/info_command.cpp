@@ -135,7 +135,8 @@ void add_info(Program& program) {
                                     "closed: no if a mesh of the link has holes; its volume is then that of\n"
                                     "the points whose winding number is above one half.");
     auto arguments = std::make_shared<InfoArguments>();
-    command->add_option("input", arguments->input.original, "A URDF, an MJCF or a mesh file; - is the standard input")
+    command->add_option("input", arguments->input.original,
+                        "A robot (URDF, xacro, MJCF, SDF, USD) or a mesh; - is the standard input")
         ->type_name("INPUT")
         ->required();
     program.standard_input.may_be(arguments->input.original, StandardInput::Holds::geometry);

@@ -97,7 +97,8 @@ void pad(SphereFile& file, const RobotOptions& options, const Original* original
 }
 
 void add_judge_options(CLI::App& command, Program& program, JudgeOptions& options) {
-    command.add_option("original", options.original, "The geometry: a URDF, an MJCF or a mesh file; - is the standard input")
+    command.add_option("original", options.original,
+                       "The geometry: a robot (URDF, xacro, MJCF, SDF, USD) or a mesh; - is the standard input")
         ->type_name("ORIGINAL")
         ->required();
     program.standard_input.may_be(options.original, StandardInput::Holds::geometry);

@@ -231,7 +231,7 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         print_json(json);
     } else if (!options.quiet) {
         print(table_of(result, recipe.guarantee) +
-              fmt::format("Written: {} ({:.2f} s)\n", fmt::join(file_names(files), ", "), result.seconds));
+              fmt::format("Written: {} ({:.2f} s)\n", names_text(files), result.seconds));
     }
     return exit_code_of(result);
 }

@@ -217,8 +217,8 @@ void add_view(Program& program) {
     command
         ->add_option(
             "models", arguments->models,
-            "A URDF, an MJCF or a mesh, then models of it, spheres or other elements in any format that is read; or such a "
-            "model alone; one may be -, the standard input")
+            "A robot (URDF, xacro, MJCF, SDF, USD) or a mesh, then models of it, spheres or other elements in any format "
+            "that is read; or such a model alone; one may be -, the standard input")
         ->type_name("MODEL")
         ->required();
     program.standard_input.may_be(arguments->models, StandardInput::Holds::model);

@@ -62,6 +62,17 @@ std::vector<std::string> file_names(const std::vector<WrittenFile>& files) {
     return names;
 }
 
+std::string names_text(const std::vector<WrittenFile>& files) {
+    constexpr std::size_t few = 4;
+    const std::vector<std::string> names = file_names(files);
+    if (names.size() <= few) {
+        return fmt::format("{}", fmt::join(names, ", "));
+    }
+    const std::filesystem::path folder = files.back().file.parent_path();
+    return fmt::format("{}, and {} files{}", names.front(), names.size() - 1,
+                       folder == files.front().file.parent_path() ? " beside it" : " in " + folder.string());
+}
+
 /// Returns the bytes of a file that is replaced; "" if there is none.
 static std::string bytes_before(const std::filesystem::path& file) {
     constexpr std::uintmax_t most_bytes = 1'000'000'000;

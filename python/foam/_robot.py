@@ -274,7 +274,7 @@ def load(
     geometry: str = "collision",
     links: Iterable[str] = (),
 ) -> Robot:
-    """Return the robot of a URDF or an MJCF, or a mesh file as a robot with one link.
+    """Return the robot of a file (URDF, MJCF, SDF, USD), or a mesh file as a robot with one link.
 
     Args:
         path: the file. It and its meshes are read once, here.

@@ -188,6 +188,7 @@ TEST_F(RobotsIn, TheOutputOfAnSdfIsTheSameFile) {
         EXPECT_THAT(after, HasSubstr("</geometry>" + surface + "</collision>")) << command;
         EXPECT_EQ(foam(std::string("certify model.sdf ") + file).code, 0) << command;
     }
+    EXPECT_EQ(foam("gallery model.sdf 4 -o model.png").code, 0) << "the first file is the robot";
     fs::create_directories(path() / "other");
     ASSERT_EQ(foam("spherize model.sdf -n 8 -m octree -o other/moved.sdf").code, 0);
     EXPECT_THAT(contents(path() / "other/moved.sdf"), HasSubstr("<uri>../box.obj</uri>"));

@@ -14,7 +14,7 @@ const std::filesystem::path folder = FOAM_TEST_SOURCE "/configs/robots/panda";
 class EmbeddedPanda : public testing::Test {
 protected:
     void SetUp() override {
-        for (const char* plugin : {"/load_urdf.so", "/load_mesh.so"}) {
+        for (const char* plugin : {"/load_urdf.so", "/load_mjcf.so", "/load_mesh.so"}) {
             const PluginRecord& record = registry.load(std::string(FOAM_TEST_PLUGINS) + plugin);
             ASSERT_TRUE(record.loaded()) << record.rejection;
         }
@@ -73,6 +73,30 @@ TEST_F(EmbeddedPanda, JointLimitsAreThePublishedOnes) {
         }
     }
     EXPECT_EQ(checked, published.size());
+}
+
+TEST_F(EmbeddedPanda, TheMjcfIsTheSameArm) {
+    const auto file = folder / "panda.xml";
+    const Robot twin = registry.make<RobotLoader>("load.mjcf")->load(read(file), file, ResourceResolver{}, context);
+    const JointValues values{{"panda_joint1", 0.3}, {"panda_joint2", -0.4}, {"panda_joint3", 0.5},
+                             {"panda_joint4", -1.6}, {"panda_joint5", 0.7}, {"panda_joint6", 1.8},
+                             {"panda_joint7", -0.9}, {"panda_finger_joint1", 0.01}, {"panda_finger_joint2", 0.02}};
+    JointValues of_urdf = values;
+    of_urdf["panda_finger_joint2"] = 0.01; // follows the other
+    const auto here = link_poses(robot, of_urdf), there = link_poses(twin, values);
+    std::size_t compared = 0;
+    for (const Link& link : robot.links) {
+        const Link* other = twin.find_link(link.name);
+        if (!other || link.name == "panda_rightfinger") {
+            continue;
+        }
+        EXPECT_EQ(link.collisions.size(), other->collisions.size()) << link.name;
+        const Pose &a = here.at(link.name), &b = there.at(link.name);
+        EXPECT_LT(norm(a.translation - b.translation), 1e-9) << link.name;
+        EXPECT_LT(norm(a.rotate({1, 2, 3}) - b.rotate({1, 2, 3})), 1e-9) << link.name;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 10U) << "all but the frame of the flange and the finger that follows";
 }
 
 // The flange in two poses, worked out by hand from Franka's Denavit-Hartenberg parameters.

@@ -1,4 +1,6 @@
 """Binary STL, Wavefront OBJ and COLLADA, written the same on every machine: coordinates are rounded to a micrometre."""
+import math
+import re
 import struct
 
 
@@ -85,3 +87,31 @@ def dae(parts, nodes, title):
   </scene>
 </COLLADA>
 """.encode("ascii")
+
+
+def transform(text):
+    """Returns the map of one transform of COLLADA."""
+    kind, numbers = re.fullmatch(r"<(\w+)>(.*)</\w+>", text).groups()
+    x, y, z, *more = map(float, numbers.split())
+    if kind == "translate":
+        return lambda v: (v[0] + x, v[1] + y, v[2] + z)
+    if kind == "scale":
+        return lambda v: (v[0] * x, v[1] * y, v[2] * z)
+    if kind == "matrix":
+        rows = [x, y, z, *more]
+        return lambda v: tuple(sum(rows[4 * i + k] * v[k] for k in range(3)) + rows[4 * i + 3] for i in range(3))
+    assert (kind, x, y, z) == ("rotate", 1, 0, 0), text
+    c, s = round(math.cos(math.radians(more[0])), 12), round(math.sin(math.radians(more[0])), 12)
+    return lambda v: (v[0], c * v[1] - s * v[2], s * v[1] + c * v[2])
+
+
+def placed(parts, nodes):
+    """Returns the parts where the nodes of a scene put them."""
+    result = []
+    for node, transforms, instances in nodes:
+        for part in (part for part in parts if part.name in instances):
+            for one in reversed(transforms):
+                part = part.mapped(transform(one))
+            part.name = f"{node}_{part.name}"
+            result.append(part)
+    return result

@@ -15,9 +15,11 @@ MESHES = {
     "link1.stl": (links.link1, None),
     "link2.obj": (links.link2, None),
     "link3.dae": (links.link3, links.link3_nodes),
+    "link3.obj": (links.link3, links.link3_nodes),
     "link4.stl": (links.link4, None),
     "link5.obj": (links.link5, None),
     "link6.dae": (links.link6, links.link6_nodes),
+    "link6.obj": (links.link6, links.link6_nodes),
     "link7.stl": (links.link7, None),
     "hand.obj": (links.hand, None),
     "finger.stl": (links.finger, None),
@@ -30,7 +32,8 @@ def encode(name):
     kind = name.rsplit(".", 1)[1]
     if kind == "dae":
         return formats.dae(parts(), nodes(), title)
-    return {"stl": formats.stl, "obj": formats.obj}[kind](parts(), title)
+    bodies = formats.placed(parts(), nodes()) if nodes else parts()
+    return {"stl": formats.stl, "obj": formats.obj}[kind](bodies, title)
 
 
 def main():

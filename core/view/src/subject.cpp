@@ -18,18 +18,22 @@
 namespace foam::inline view {
 namespace {
 
-/// Returns whether the file is a URDF by its content, or, as the first of all, an MJCF; a later one is a model.
-bool is_robot_file(const std::filesystem::path& file, bool first) {
+/// Returns whether the file is a URDF by its content, or, as the first of all, of another format of robots: of those a
+/// later one is a model.
+bool is_robot_file(const std::filesystem::path& file, bool first, const Registry& registry) {
     const std::string ending = extension_of(file);
     if (ending == "urdf" || ending == "xacro") {
         return true;
     }
-    if (ending != "xml" && ending != "mjcf") {
+    if (!registry.find_for_extension(StageKind::robot_loader, ending)) {
         return false;
     }
     const std::string text = read_file(file, most_robot_bytes);
-    const std::string_view root = xml::root_name(text);
-    return root == "robot" || (first && root == "mujoco");
+    return xml::root_name(text) == "robot" ||
+           (first && std::ranges::any_of(registry.stages(), [&](const auto& entry) {
+                const auto& [name, stage] = entry;
+                return stage.kind == StageKind::robot_loader && registry.make<RobotLoader>(name)->recognises(text);
+            }));
 }
 
 /// Returns the names of links that may have spheres, as match() needs them: without their geometry.
@@ -93,7 +97,7 @@ public:
 private:
     void add(const std::filesystem::path& file) {
         const bool first = subject_.robots.empty();
-        if (is_robot_file(file, first) || (first && is_mesh_file(file, registry_))) {
+        if (is_robot_file(file, first, registry_) || (first && is_mesh_file(file, registry_))) {
             add_robot(file);
             return;
         }

@@ -1,4 +1,7 @@
 """MJCF in place, by the real MuJoCo: the file that foam writes compiles to the same model with other geoms in contact."""
+import os
+import pathlib
+
 import mujoco
 import numpy as np
 import pytest
@@ -182,3 +185,16 @@ def test_two_hundred_steps_are_finite(kind, arm, tmp_path):
         mujoco.mj_step(model, data)
     assert np.isfinite(data.qpos).all() and np.isfinite(data.qvel).all()
     assert not any(warning.number for warning in data.warning)
+
+
+def test_the_embedded_panda_stays_itself(tmp_path):
+    robot = pathlib.Path(os.environ["FOAM_TEST_SOURCE"]) / "configs/robots/panda/panda.xml"
+    after_file = tmp_path / "panda_capsules.xml"
+    foam.load(robot).approximate(16, kinds=["capsule"], effort="fast").save(after_file)
+    before, after = (mujoco.MjModel.from_xml_path(str(file)) for file in (robot, after_file))
+    old, new = numbers(before), numbers(after)
+    assert [name for name in old if old[name] != new[name]] == []
+    data = mujoco.MjData(after)
+    mujoco.mj_resetDataKeyframe(after, data, 0)
+    mujoco.mj_forward(after, data)
+    assert data.ncon == 0
