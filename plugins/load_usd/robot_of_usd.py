@@ -4,10 +4,12 @@ robot_of_usd.py FILE   exit status 3: the package usd-core is missing; 2: the fi
 
 What the properties mean: https://openusd.org/release/api/usd_physics_page_front.html
 """
-import json
-import math
-import os
 import sys
+
+sys.path[:] = [folder for folder in sys.path if folder]  # not from the folder that foam runs in
+import json  # noqa: E402
+import math  # noqa: E402
+import os  # noqa: E402
 
 try:
     from pxr import Gf, Tf, Usd, UsdGeom, UsdPhysics
@@ -141,6 +143,7 @@ class Robot:
             path = self.body_of(prim)
             collider = collider_of(prim, path)
             if collider is not None:
+                refuse_scattered(prim)
                 if prim.IsA(UsdGeom.Plane):
                     self.notes.append(f"{prim.GetPath()}: no elements cover a plane")
                 elif enabled(collider):
@@ -263,6 +266,15 @@ def collider_of(prim, body):
         if prim and prim.IsA(UsdGeom.Gprim):
             return None
     return None
+
+
+def refuse_scattered(prim):
+    """Refuses shapes that a PointInstancer copies."""
+    above = prim.GetParent()
+    while above and not above.IsA(UsdGeom.PointInstancer):
+        above = above.GetParent()
+    if above:
+        raise Refused(f"{prim.GetPath()}: foam does not read shapes that a PointInstancer copies; remedy: instances, or copies")
 
 
 def enabled(collider):

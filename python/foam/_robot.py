@@ -274,7 +274,7 @@ def load(
     geometry: str = "collision",
     links: Iterable[str] = (),
 ) -> Robot:
-    """Return the robot of a file (URDF, MJCF, SDF, USD), or a mesh file as a robot with one link.
+    """Return the robot of a file (URDF, MJCF, SDF, USD), or a mesh file as a robot with one link. USD needs usd-core.
 
     Args:
         path: the file. It and its meshes are read once, here.
@@ -288,4 +288,5 @@ def load(
     Raises:
         InputError: the file or a mesh of it cannot be read; the message names it, and where it was searched.
     """
+    os.environ.setdefault("FOAM_PYTHON", sys.executable)  # which reads USD
     return Robot(path, unit, scale, geometry, tuple(links), packages)
