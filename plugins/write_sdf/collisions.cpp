@@ -8,11 +8,18 @@
 #include <fmt/format.h>
 
 namespace foam::sdf {
-namespace {
 
 std::string vector_text(const Vec3& v) {
     return number_text(v.x) + ' ' + number_text(v.y) + ' ' + number_text(v.z);
 }
+
+std::string pose_text(const Pose& pose, const std::string& relative_to) {
+    const std::string frame = relative_to.empty() ? "" : " relative_to=\"" + markup_escaped(relative_to) + "\"";
+    return fmt::format("<pose{}>{} {}</pose>", frame, vector_text(pose.translation),
+                       vector_text(short_roll_pitch_yaw(pose)));
+}
+
+namespace {
 
 /// Returns the <geometry> of an element that is no sphere; `hull`: the reference to the mesh of a hull.
 std::string geometry_text(const Element& element, const std::string& hull) {
@@ -52,6 +59,12 @@ CollisionText collision_of(std::size_t index, const Element& element, const std:
 }
 
 } // namespace
+
+std::string shape_text(const Element& primitive) {
+    return primitive.kind == Element::Kind::sphere
+               ? "<sphere><radius>" + number_text(primitive.radius) + "</radius></sphere>"
+               : geometry_text(primitive, "");
+}
 
 std::vector<CollisionText> collisions_of(const LinkSpheres& link, HullNames& hulls) {
     std::vector<CollisionText> collisions;

@@ -8,6 +8,13 @@
 
 namespace foam::sdf {
 
+/// Returns three numbers with blanks between them.
+std::string vector_text(const Vec3& v);
+/// Returns a <pose>, in the frame that holds where it stands, or in another.
+std::string pose_text(const Pose& pose, const std::string& relative_to = "");
+/// Returns the shape of a primitive at its pose, within <geometry>.
+std::string shape_text(const Element& primitive);
+
 /// A <collision>, in parts.
 struct CollisionText {
     std::string name;     ///< "capsule_3"

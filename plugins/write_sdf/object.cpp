@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 
 namespace foam::sdf {
-namespace {
 
-/// Throws for a name that sdformat takes for another or refuses. `what`: "link" or "model".
 void require_name(const std::string& name, std::string_view what) {
     const bool reserved = name == "world" || (name.size() >= 4 && name.starts_with("__") && name.ends_with("__"));
     if (name.empty() || reserved || name.find("::") != name.npos || shown(name) != name) {
@@ -21,15 +19,13 @@ void require_name(const std::string& name, std::string_view what) {
     }
 }
 
-std::string comment(std::string_view provenance) {
+std::string provenance_comment(std::string_view provenance) {
     std::string text = shown(provenance);
     for (std::size_t at = 0; (at = text.find("--", at)) != text.npos;) {
         text.replace(at, 2, "- -"); // "--" may not stand in a comment
     }
     return text.empty() ? "" : "<!-- " + text + " -->\n";
 }
-
-} // namespace
 
 std::string file_name_of(const SphereModel& model) {
     return model.file.empty() ? model.name + ".sdf" : model.file;
@@ -38,15 +34,15 @@ std::string file_name_of(const SphereModel& model) {
 std::string object_text(const SphereModel& model, bool is_static, const KnownKinds& known) {
     const std::vector<LinkSpheres> links = in_known_kinds(elements_by_link(model), known);
     if (links.size() != 1) {
-        throw Error(ErrorCode::output, fmt::format("write.sdf writes objects of one link, the model has {}; remedy: "
-                                                   "write.urdf for a robot, Gazebo reads it",
+        throw Error(ErrorCode::output, fmt::format("write.sdf: the model has {} links, and no robot says how they are "
+                                                   "joined; remedy: name the robot",
                                                    links.size()));
     }
     const LinkSpheres& link = links.front();
     const std::string name = model.robot && !model.robot->name.empty() ? model.robot->name : model.name;
     require_name(name, "model");
     require_name(link.link, "link");
-    std::string text = "<?xml version=\"1.0\"?>\n" + comment(model.provenance) +
+    std::string text = "<?xml version=\"1.0\"?>\n" + provenance_comment(model.provenance) +
                        fmt::format("<sdf version=\"1.9\">\n  <model name=\"{}\">\n    <static>{}</static>\n"
                                    "    <link name=\"{}\">\n",
                                    markup_escaped(name), is_static, markup_escaped(link.link));

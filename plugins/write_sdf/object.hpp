@@ -12,6 +12,10 @@ namespace foam::sdf {
 /// Returns the file of a model with one link. Throws Error(output) for other models, and for names that SDF refuses.
 /// Hulls are meshes beside it, of hull_files().
 std::string object_text(const SphereModel& model, bool is_static, const KnownKinds& known);
+/// Throws Error(output) for a name that sdformat takes for another or refuses. `what`: "link", "joint" or "model".
+void require_name(const std::string& name, std::string_view what);
+/// Returns a comment line of where the file is from; empty for an empty text.
+std::string provenance_comment(std::string_view provenance);
 /// Returns the name of the file that is written, or one after the model where it is not known.
 std::string file_name_of(const SphereModel& model);
 

@@ -1,6 +1,7 @@
 // Objects of Gazebo: write.sdf and read.sdf.
 #include "edit.hpp"
 #include "object.hpp"
+#include "robot.hpp"
 
 #include <foam/base/error.hpp>
 #include <foam/base/file.hpp>
@@ -19,6 +20,9 @@ public:
     std::string write(const SphereModel& model, Context& context) const override {
         if (has_sdf_text(model)) {
             return edited_sdf(model, in_known_kinds(elements_by_link(model), known_), context);
+        }
+        if (model.robot && !model.robot->joints.empty()) {
+            return robot_text(model, known_, context);
         }
         std::string text = object_text(model, static_, known_);
         if (!static_) {
@@ -74,9 +78,9 @@ FOAM_PLUGIN("write_sdf", "1.0", "Apache-2.0") {
     const std::string reference = "http://sdformat.org/spec?ver=1.9&elem=collision";
     enrol.add<SdfWriter>(
         {.name = "write.sdf",
-         .summary = "Writes a robot of an SDF file back into its text, or an object of one link, SDF 1.9, for Gazebo.",
+         .summary = "Writes a robot of an SDF file back into its text, other robots and objects as SDF 1.9, for Gazebo.",
          .reference = reference,
-         .parameters = {Parameter::boolean("static", true).doc("The object does not move; else Gazebo needs its mass."),
+         .parameters = {Parameter::boolean("static", true).doc("An object of one link does not move; else Gazebo needs its mass."),
                         foam::segments_parameter()},
          .extensions = {"sdf"},
          .kinds = foam::every_kind(),

@@ -179,7 +179,7 @@ TEST_F(SelfCollisionCli, Refusals) {
     EXPECT_EQ(refusal("one.urdf", 1),
               "foam: error: one.urdf: only one link has collision geometry: there is no pair of links to check\n");
     EXPECT_EQ(refusal("box.obj", 1), "foam: error: box.obj: a mesh has no joints; remedy: give a URDF\n");
-    EXPECT_EQ(refusal("arm.urdf --pose elbow", 2), "foam: error: --pose expects JOINT=NUMBER, got 'elbow'\n");
+    EXPECT_EQ(refusal("arm.urdf --pose elbow", 2), "foam: error: --pose expects JOINT=NUMBER, in rad or m, got 'elbow'\n");
     EXPECT_EQ(refusal("arm.urdf --pose wrist=1", 2), "foam: error: --pose: arm.urdf has no joint 'wrist'\n");
     EXPECT_EQ(refusal("arm.urdf --confidence 1", 2), "foam: --confidence: expects a number between 0 and 1, got '1'\n"
               "foam: `foam self-collision --help` explains its use\n");

@@ -18,7 +18,7 @@ import tempfile
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-ONE_BODY = {"curobo_scene", "morphit", "sdf", "vamp_world"}
+ONE_BODY = {"curobo_scene", "morphit", "vamp_world"}
 NO_SPHERES_ALONE = {"gltf"}  # pictures
 PROVED = re.compile(r"^Proved: the collision geometry of (\d+) of \1 links lies inside their spheres, (?:\d+ )?as (?:a )?(?:solid|surface)s?(?:, \d+ as (?:a )?surfaces?)?(?:; as a surface: .*)?\.$", re.M)
 MADE = "<!-- Made by tests/write/formats.py: FOAM_TEST_UPDATE=1 ./foam test -R write.formats -->\n"

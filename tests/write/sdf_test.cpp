@@ -1,5 +1,6 @@
 // write.sdf and read.sdf.
 #include "plugin_stages.hpp"
+#include "support/read_spheres.hpp"
 
 #include <gmock/gmock.h>
 
@@ -29,8 +30,16 @@ TEST(WriteSdf, WritesAnObject) {
     EXPECT_THAT(sdf.text(cup(), {{"static", false}}), HasSubstr("<static>false</static>"));
 }
 
-TEST(WriteSdf, RefusesRobots) {
-    EXPECT_THAT(refusal(*writer("write_sdf", "write.sdf"), turned_model()), HasSubstr("remedy: write.urdf"));
+TEST(WriteSdf, WritesARobot) {
+    const std::string text = sdf.text(turned_model());
+    EXPECT_THAT(text, HasSubstr("<parent>base</parent>\n      <child>tool</child>\n"));
+    EXPECT_EQ(read_spheres(*writer("write_sdf", "write.sdf"), text), spheres_of(turned_model()));
+}
+
+TEST(WriteSdf, RefusesSeveralLinksOfNoRobot) {
+    SphereModel model = turned_model();
+    model.robot.reset();
+    EXPECT_THAT(refusal(*writer("write_sdf", "write.sdf"), model), HasSubstr("remedy: name the robot"));
 }
 
 TEST(WriteSdf, HostileNames) {
