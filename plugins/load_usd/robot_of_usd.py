@@ -10,6 +10,7 @@ sys.path[:] = [folder for folder in sys.path if folder]  # not from the folder t
 import json  # noqa: E402
 import math  # noqa: E402
 import os  # noqa: E402
+import re  # noqa: E402
 
 try:
     from pxr import Gf, Tf, Usd, UsdGeom, UsdPhysics
@@ -245,7 +246,8 @@ def opened(file):
     try:
         stage = Usd.Stage.Open(file)
     except Tf.ErrorException as error:
-        raise Refused(f"it cannot be opened: {str(error).strip().splitlines()[-1].strip()}") from error
+        said = re.findall(r"in file \S+ : '(.*?)\s*'(?=\n\tError|\s*$)", str(error), re.DOTALL)
+        raise Refused(f"it cannot be opened: {'; '.join(said) or error}") from error
     for error in stage.GetCompositionErrors():
         raise Refused(f"it refers to what is not there: {' '.join(str(error).split())}")
     return stage
