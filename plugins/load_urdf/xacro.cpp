@@ -10,21 +10,6 @@
 #include <vector>
 
 namespace foam::urdf {
-namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        if (end > at) {
-            lines.push_back(text.substr(at, end - at));
-        }
-        at = end + 1;
-    }
-    return lines;
-}
-
-} // namespace
 
 std::string expanded_xacro(const std::filesystem::path& file, const std::string& arguments) {
     std::error_code none;

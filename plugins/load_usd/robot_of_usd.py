@@ -66,6 +66,7 @@ class Robot:
         self.up = Gf.Matrix4d().SetRotate(up)
         self.notes, self.warnings = [], []
         prims = list(Usd.PrimRange(self.stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()))
+        self.instances = [str(prim.GetPath()) for prim in prims if prim.IsInstance()]  # whose contents are shared with others
         self.bodies = {prim.GetPath(): prim for prim in prims if is_body(prim)}
         if not self.bodies and not any(prim.HasAPI(UsdPhysics.CollisionAPI) for prim in prims):
             raise Refused("no prim has PhysicsRigidBodyAPI or PhysicsCollisionAPI; remedy: a stage with physics, as converters of URDF and MJCF write it")
@@ -108,10 +109,6 @@ class Robot:
         numbers = [float(i == k) if near else place[i][k] for i in range(4) for k in range(4)]
         return {"name": name, "path": str(prim.GetPath()) if prim else "", "from_metres": numbers,
                 "collisions": [], "visuals": [], "colliders": [], "inertial": inertial}  # fmt: skip
-
-    def instances(self):
-        """Returns the prims whose contents are shared with others."""
-        return [str(prim.GetPath()) for prim in Usd.PrimRange(self.stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()) if prim.IsInstance()]
 
     def pose_numbers(self, matrix):
         """Returns rows of rotation and translation in metres, of a matrix for row vectors."""
@@ -504,7 +501,7 @@ def main():
     default = robot.stage.GetDefaultPrim()
     name = default.GetName() if default else os.path.splitext(os.path.basename(file))[0]
     json.dump({"name": name, "root": robot.root, "default_prim": default.GetName() if default else "", "up_axis": str(UsdGeom.GetStageUpAxis(robot.stage)),
-               "metres_per_unit": robot.metre, "instances": robot.instances(),
+               "metres_per_unit": robot.metre, "instances": robot.instances,
                "links": list(robot.links.values()), "joints": robot.joints,
                "notes": robot.notes, "warnings": robot.warnings}, sys.stdout)  # fmt: skip
 

@@ -63,10 +63,8 @@ private:
         require_name(link.name, "link");
         std::string text = fmt::format("    <link name=\"{}\">\n", markup_escaped(link.name));
         const auto joint = above_.find(link.name);
-        if (joint != above_.end() && (is_world(joint->second->parent) || is_free(*joint->second))) {
-            text += "      " + pose_text(joint->second->origin, is_world(joint->second->parent) ? "" : joint->second->parent) + "\n";
-        } else if (joint != above_.end()) {
-            text += "      " + pose_text({}, name_of(*joint->second)) + "\n";
+        if (joint != above_.end()) {
+            text += "      " + place_of(*joint->second) + "\n";
         }
         text += inertial_text(link);
         for (std::size_t i = 0; i < link.visuals.size(); ++i) {
@@ -81,6 +79,14 @@ private:
             without_contact_.push_back(link.name);
         }
         return text + "    </link>\n";
+    }
+
+    /// Returns the <pose> of the link that a joint leads to.
+    std::string place_of(const Joint& joint) const {
+        if (is_world(joint.parent)) {
+            return pose_text(joint.origin);
+        }
+        return is_free(joint) ? pose_text(joint.origin, joint.parent) : pose_text({}, name_of(joint));
     }
 
     std::string inertial_text(const Link& link) {

@@ -244,7 +244,7 @@ private:
     void put(const LinkSpheres& link, const xml::Element& body) {
         const std::vector<const MjcfGeom*> old = replaced_in(link.link);
         const std::vector<std::string> names = names_of(old, link.elements.size());
-        const bool renamed = names.size() == 1 && !lost_.contains(names.front()) && !names.front().empty();
+        const bool renamed = name_to_keep(old, link.elements.size()) != nullptr;
         const std::string settings = settings_of(old, link.link);
         std::vector<std::string> geoms;
         const auto begin = [&, taken = class_of(old)] {
@@ -397,12 +397,18 @@ private:
         return (old.empty() ? R"( group="3" contype="1" conaffinity="1")" : text) + attribute_text("mass", "0");
     }
 
+    static const std::string* name_of(const MjcfGeom* geom) { return geom->geom->attribute("name"); }
+
+    /// Returns the name that a new geom takes: that of the only old one, which it alone replaces. Null: none.
+    static const std::string* name_to_keep(const std::vector<const MjcfGeom*>& old, std::size_t count) {
+        return old.size() == 1 && count == 1 && !old.front()->replicated ? name_of(old.front()) : nullptr;
+    }
+
     /// Returns the names of new geoms. Where one replaces one, it takes the name, so that what names it finds it. Where
     /// a <pair> names an old one, each has a name of its own. Others have none.
     std::vector<std::string> names_of(const std::vector<const MjcfGeom*>& old, std::size_t count) {
-        const auto name_of = [](const MjcfGeom* geom) { return geom->geom->attribute("name"); };
-        if (old.size() == 1 && count == 1 && name_of(old.front()) && !old.front()->replicated) {
-            return {*name_of(old.front())};
+        if (const std::string* kept = name_to_keep(old, count)) {
+            return {*kept};
         }
         std::vector<std::string> names(count);
         const auto in_pair = std::ranges::find_if(old, [&](const MjcfGeom* geom) {

@@ -25,24 +25,9 @@ void take(GeomClass& attributes, const xml::Element& geom) {
     }
 }
 
-/// Adds the names of the geoms of the <pair> elements.
-std::set<std::string> paired_names(const xml::Element& root) {
-    std::set<std::string> names;
-    for (const xml::Element* contact : root.children_named("contact")) {
-        for (const xml::Element* pair : contact->children_named("pair")) {
-            for (const char* key : {"geom1", "geom2"}) {
-                if (const std::string* name = pair->attribute(key)) {
-                    names.insert(*name);
-                }
-            }
-        }
-    }
-    return names;
-}
-
 class GeomWalk {
 public:
-    GeomWalk(const xml::Element& root, const std::string& file) : file_(file), paired_(paired_names(root)) {
+    GeomWalk(const xml::Element& root, const std::string& file) : file_(file), paired_(names_in_pairs(root)) {
         GeomClass main;
         for (const xml::Element* defaults : root.children_named("default")) {
             main = add_classes(*defaults, main, true);

@@ -1,4 +1,4 @@
-// The <pair> of an MJCF whose geoms are replaced by others, and the elements that must not lose theirs.
+// The <pair> of an MJCF whose geoms are replaced by others, and the sensors that must not lose theirs.
 #include "mjcf.hpp"
 
 #include <foam/base/error.hpp>
@@ -11,22 +11,6 @@
 
 namespace foam::xml_models {
 namespace {
-
-/// Adds the elements of one name below an element.
-void add_named(const xml::Element& element, std::string_view name, std::vector<const xml::Element*>& found) {
-    for (const auto& child : element.children) {
-        if (child->name == name) {
-            found.push_back(child.get());
-        }
-        add_named(*child, name, found);
-    }
-}
-
-std::vector<const xml::Element*> named(const xml::Element& root, std::string_view name) {
-    std::vector<const xml::Element*> found;
-    add_named(root, name, found);
-    return found;
-}
 
 /// Returns the text of a pair of other geoms. `first`: of those that replace one pair; it alone keeps the name.
 std::string pair_of(const xml::Element& pair, const std::string& geom1, const std::string& geom2, bool first) {
@@ -92,10 +76,12 @@ private:
 
 std::set<std::string> names_in_pairs(const xml::Element& root) {
     std::set<std::string> names;
-    for (const xml::Element* pair : named(root, "pair")) {
-        for (const char* attribute : {"geom1", "geom2"}) {
-            if (const std::string* name = pair->attribute(attribute)) {
-                names.insert(*name);
+    for (const xml::Element* contact : root.children_named("contact")) {
+        for (const xml::Element* pair : contact->children_named("pair")) {
+            for (const char* key : {"geom1", "geom2"}) {
+                if (const std::string* name = pair->attribute(key)) {
+                    names.insert(*name);
+                }
             }
         }
     }

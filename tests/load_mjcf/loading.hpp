@@ -1,6 +1,7 @@
 // What the tests of load.mjcf share.
 #pragma once
 
+#include "support/listening_context.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <foam/base/error.hpp>
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace foam::test {
-
-/// Keeps what a stage says.
-class ListeningContext final : public QuietContext {
-public:
-    void log(Severity, std::string_view message) override { messages.emplace_back(message); }
-    std::vector<std::string> messages;
-};
 
 /// A robot from text, as if it stood in `file`.
 inline Robot load_mjcf(const std::string& text, Context& context, const std::filesystem::path& file = "/none/robot.xml",

@@ -1,6 +1,8 @@
 // What the tests of load.urdf share.
 #pragma once
 
+#include "support/listening_context.hpp"
+
 #include <foam/base/error.hpp>
 #include <foam/sdk/registry.hpp>
 
@@ -11,13 +13,6 @@
 #include <vector>
 
 namespace foam::test {
-
-/// Keeps what a stage says.
-class ListeningContext final : public QuietContext {
-public:
-    void log(Severity, std::string_view message) override { messages.emplace_back(message); }
-    std::vector<std::string> messages;
-};
 
 inline std::unique_ptr<RobotLoader> urdf_loader(Registry& registry) {
     const PluginRecord& record = registry.load(FOAM_TEST_PLUGINS "/load_urdf.so");

@@ -41,18 +41,6 @@ std::string text_of(std::FILE* file) {
     return text;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        if (end > at) {
-            lines.push_back(text.substr(at, end - at));
-        }
-        at = end + 1;
-    }
-    return lines;
-}
-
 /// Waits for the process, and ends it if the work is cancelled. Returns ProgramResult::status.
 int awaited(pid_t process) {
     int status = 0;
@@ -99,6 +87,18 @@ ProgramResult run_program(std::vector<std::string> words) {
         result.errors = text_of(errors.get());
     }
     return result;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        if (end > at) {
+            lines.push_back(text.substr(at, end - at));
+        }
+        at = end + 1;
+    }
+    return lines;
 }
 
 std::string last_lines(const std::string& errors) {

@@ -19,6 +19,8 @@ struct ProgramResult {
 /// is cancelled. Throws Error(output) if no temporary file can be made, Error(cancelled).
 ProgramResult run_program(std::vector<std::string> words);
 
+/// Returns the lines of a text that are not empty.
+std::vector<std::string> lines_of(const std::string& text);
 /// Returns the last lines of a program's messages, each on a line of its own after a line end, fit to be printed.
 std::string last_lines(const std::string& errors);
 

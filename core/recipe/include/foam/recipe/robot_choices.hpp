@@ -24,9 +24,9 @@ struct RobotChoices {
 /// Returns whether the link is worked on.
 bool is_chosen(const RobotChoices& choices, const std::string& link);
 
-/// Throws Error(usage) for a glob that matches no link of the robot, with the nearest name, for globs that leave no
-/// link, for a joint that cannot be held, and for a tool frame that is no link. `dashes`: before the name of an option
-/// in messages.
+/// Checks the choices against the robot. Throws Error(usage), with the nearest name, for a glob that matches no link
+/// and for a tool frame that is none. Throws it also for globs that leave no link, and for a joint that cannot be held.
+/// `dashes`: before the name of an option in messages.
 void require_choices(const RobotChoices& choices, const Robot& robot, const char* dashes = "--");
 
 /// Throws Error(usage) for a factor that is no weight: above 0, at most 1000000. `text`: what was given.
