@@ -243,5 +243,39 @@ TEST_F(RunLinks, ABlockHasNoInsideToFill) {
     EXPECT_EQ(full.links[0].filled, 0);
 }
 
+/// A link and its mirror image get spheres that are mirror images, as many of them, from one search.
+TEST_F(Run, MirroredLinksGetMirroredSpheres) {
+    const auto side = [](const std::string& name, const std::string& sign) {
+        return "<link name=\"" + name + "\"><collision><origin xyz=\"0.1 " + sign + "0.2 0\" rpy=\"" + sign +
+               "0.3 0 0\"/><geometry><box size=\"0.3 0.1 0.05\"/></geometry></collision><collision><origin xyz=\"0.2 " +
+               sign + "0.25 0.1\"/><geometry><cylinder radius=\"0.03\" length=\"0.2\"/></geometry></collision></link>" +
+               "<joint name=\"to_" + name + "\" type=\"fixed\"><parent link=\"base\"/><child link=\"" + name +
+               "\"/></joint>";
+    };
+    write("pair.urdf", "<robot name=\"pair\"><link name=\"base\"><collision><geometry><box size=\"0.2 0.2 0.2\"/>"
+                       "</geometry></collision></link>" +
+                           side("left", "") + side("right", "-") + "</robot>");
+    for (const std::string elements : {"spherize.grid", "spherize.octree"}) {
+        for (const std::size_t budget : {8u, 13u, 20u}) {
+            Recipe pair =
+                recipe("stages: [" + elements + "]\nbudget: {spheres: " + std::to_string(budget) + "}\n");
+            pair.urdf = {"pair.urdf"};
+            const RunResult result = run(pair, registry, options());
+            EXPECT_TRUE(result.certified);
+            auto read =
+                test::read_spheres(*registry.make<Writer>("write.urdf"), read_file(folder.path() / "out/two.urdf"));
+            ASSERT_EQ(read["left"].size(), read["right"].size()) << elements << budget;
+            for (std::size_t i = 0; i < read["left"].size(); ++i) {
+                const Sphere &left = read["left"][i], &right = read["right"][i];
+                EXPECT_LT(distance(left.center, {right.center.x, -right.center.y, right.center.z}), 2e-6);
+                EXPECT_NEAR(left.radius, right.radius, 4e-6);
+            }
+            EXPECT_TRUE(std::any_of(result.findings.begin(), result.findings.end(), [](const Finding& finding) {
+                return finding.link == "right" && finding.message.find("mirror image") != std::string::npos;
+            }));
+        }
+    }
+}
+
 } // namespace
 } // namespace foam

@@ -19,6 +19,12 @@ Cost weighted(const Cost& cost, double weight) {
     return {cost.over, weight * cost.volume};
 }
 
+/// Returns the cost of so many groups.
+Cost times(std::size_t groups, const Cost& cost) {
+    const auto factor = static_cast<double>(groups);
+    return {factor * cost.over, factor * cost.volume};
+}
+
 } // namespace
 
 Cost CostCurve::least() const {
@@ -45,7 +51,7 @@ std::size_t CostCurve::demand(double price, double weight) const {
 static std::size_t largest_sum(const std::vector<WeightedCurve>& weighted_curves) {
     std::size_t sum = 0;
     for (const WeightedCurve& claimant : weighted_curves) {
-        sum += claimant.curve->known().empty() ? 0 : claimant.curve->known().rbegin()->first;
+        sum += claimant.curve->known().empty() ? 0 : claimant.groups * claimant.curve->known().rbegin()->first;
     }
     return sum;
 }
@@ -57,10 +63,11 @@ Allocation::Allocation(std::vector<WeightedCurve> weighted_curves, std::size_t m
     std::vector<Cost> next(columns_);
     for (std::size_t i = 0; i < weighted_curves_.size(); ++i) {
         std::fill(next.begin(), next.end(), impossible);
+        const std::size_t groups = weighted_curves_[i].groups;
         for (const auto& [count, known] : weighted_curves_[i].curve->known()) {
-            const Cost cost = weighted(known, weighted_curves_[i].weight);
-            for (std::size_t sum = count; sum < columns_; ++sum) {
-                if (const Cost with = best_[sum - count] + cost; with < next[sum]) {
+            const Cost cost = times(groups, weighted(known, weighted_curves_[i].weight));
+            for (std::size_t sum = groups * count; sum < columns_; ++sum) {
+                if (const Cost with = best_[sum - groups * count] + cost; with < next[sum]) {
                     next[sum] = with;
                     choice_[i * columns_ + sum] = static_cast<std::uint32_t>(count);
                 }
@@ -74,7 +81,7 @@ std::vector<std::size_t> Allocation::counts_of(std::size_t sum) const {
     std::vector<std::size_t> counts(weighted_curves_.size());
     for (std::size_t i = weighted_curves_.size(); i-- > 0;) {
         counts[i] = choice_[i * columns_ + sum];
-        sum -= counts[i];
+        sum -= weighted_curves_[i].groups * counts[i];
     }
     return counts;
 }
@@ -101,7 +108,7 @@ std::vector<std::size_t> Allocation::fewest(double volume) const {
 Cost Allocation::cost(const std::vector<std::size_t>& counts) const {
     Cost sum;
     for (std::size_t i = 0; i < weighted_curves_.size(); ++i) {
-        sum = sum + weighted_curves_[i].curve->known().at(counts[i]);
+        sum = sum + times(weighted_curves_[i].groups, weighted_curves_[i].curve->known().at(counts[i]));
     }
     return sum;
 }

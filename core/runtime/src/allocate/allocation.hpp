@@ -49,10 +49,11 @@ private:
     std::map<std::size_t, Cost> known_;
 };
 
-/// A participant of the allocation: the known costs of one group and its weight.
+/// A participant of the allocation: the known costs of one group, or of several that get equal counts.
 struct WeightedCurve {
     const CostCurve* curve = nullptr;
-    double weight = 1; ///< factor on the volume of its costs
+    double weight = 1;      ///< factor on the volume of its costs
+    std::size_t groups = 1; ///< that take the count and the cost, each
 };
 
 /// The optimal allocation for every number of spheres: a dynamic programme over the curves, O(curves · most · known
@@ -62,7 +63,7 @@ public:
     /// Precomputes the allocations of up to `most` spheres. A `most` above the largest sum of known counts takes no
     /// longer than that sum.
     Allocation(std::vector<WeightedCurve> weighted_curves, std::size_t most);
-    /// Returns one known count per curve: sum at most `most`, least sum of weighted costs, and of equal sums the fewest
+    /// Returns one known count per curve, of each of its groups: sum at most `most`, least sum of weighted costs, and of equal sums the fewest
     /// spheres. Empty if no counts fit.
     std::vector<std::size_t> best() const;
     /// Returns the counts with the fewest spheres whose unweighted volume is at most `volume` and which keep the limits

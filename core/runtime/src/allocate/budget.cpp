@@ -16,11 +16,20 @@ void say_if_not_all(const Workspace& workspace, const std::vector<ShapeWork>& sh
     if (used == 0 || used >= total) {
         return;
     }
+    std::size_t alike = 1; // size of one more element for each of the links that are alike
+    for (const ShapeWork& work : shapes) {
+        alike = std::max(alike, work.unit * work.groups.size());
+    }
     const char* noun = plural_of(shapes);
     const std::string what = workspace.recipe.budget_cost
                                  ? fmt::format("a cost of {:g} of {:g} is used", static_cast<double>(used) * price_step,
                                                *workspace.recipe.budget_cost)
                                  : fmt::format("{} of {} {} are used", used, total, noun);
+    if (total - used < alike) {
+        workspace.journal.finding(
+            {Severity::info, "", "", fmt::format("{}; links that are alike get equal numbers", what)});
+        return;
+    }
     workspace.journal.finding(
         {Severity::warning, "", "", fmt::format("{}; more {} did not reduce the excess of these links", what, noun)});
 }

@@ -71,36 +71,6 @@ std::vector<std::size_t> first_counts(const Recipe& recipe, const ShapeWork& sha
     return counts;
 }
 
-CostCurve within(const CostCurve& curve, const Bounds& bounds) {
-    CostCurve result;
-    for (const auto& [count, cost] : curve.known()) {
-        if (count >= bounds.least && count <= bounds.most) {
-            result.set(count, cost);
-        }
-    }
-    return result;
-}
-
-Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
-             const std::vector<Bounds>& bounds) {
-    std::vector<CostCurve> curves;
-    for (const std::size_t g : allocated_groups(shapes, groups)) {
-        curves.push_back(
-            within(shapes[groups[g].shape].known.curve, bounds.empty() ? Bounds{} : bounds[curves.size()]));
-    }
-    std::vector<WeightedCurve> weighted_curves;
-    for (const std::size_t g : allocated_groups(shapes, groups)) {
-        weighted_curves.push_back({&curves[weighted_curves.size()], groups[g].weight});
-    }
-    const Allocation allocation(weighted_curves, goal.most);
-    if (goal.enough) {
-        if (std::vector<std::size_t> counts = allocation.fewest(*goal.enough); !counts.empty()) {
-            return {std::move(counts), true};
-        }
-    }
-    return {allocation.best(), false};
-}
-
 /// Calls compute_trees(), until the phase ends.
 static void compute_in_time(const Workspace& workspace, ShapeWork& work, const std::vector<std::size_t>& counts) {
     try {

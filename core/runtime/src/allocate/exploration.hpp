@@ -78,7 +78,7 @@ struct Shared {
     std::vector<std::size_t> counts;
     bool enough = false;
 };
-/// Allocates spheres. `bounds`: one for each group without an error; empty: no bounds.
+/// Allocates spheres. Groups of one shape get equal counts if their weights are equal. `bounds`: one for each group without an error; empty: no bounds.
 Shared share(const std::vector<ShapeWork>& shapes, const std::vector<Group>& groups, const Goal& goal,
              const std::vector<Bounds>& bounds = {});
 

@@ -197,7 +197,7 @@ void report_overlaps(const Workspace& workspace, const FinishedModel& finished, 
 }
 
 Elements CoveringElements::of(const Group& group, std::size_t count) {
-    return moved(of_shape(group.shape, count), group.frame);
+    return moved(imaged(of_shape(group.shape, count), group.from_shape), group.frame);
 }
 
 const Elements& CoveringElements::of_shape(std::size_t shape, std::size_t count) {

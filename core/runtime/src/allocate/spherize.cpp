@@ -92,6 +92,14 @@ Recipe without_kept(const Workspace& workspace, const std::vector<LinkWork>& lin
 
 } // namespace
 
+/// Returns the result of the group's shape where the group is, in the frame of its link.
+static SphereTree placed(SphereTree tree, const Group& group) {
+    for (SphereTree::Level& level : tree.levels) {
+        level.elements = imaged(std::move(level.elements), group.from_shape);
+    }
+    return moved(std::move(tree), group.frame);
+}
+
 /// Throws Error(plugin) if the geometry of a shape is not what was read: what is proved would be something else.
 static void require_as_read(const std::vector<LinkWork>& links, const std::vector<Group>& groups,
                             const ShapeWork& work) {
@@ -154,8 +162,9 @@ SpherizedLinks spherize_links(const Workspace& workspace, std::vector<LinkWork>&
             }
             continue;
         }
-        groups[g].tree = moved(work.known.trees.at(counts[g]), groups[g].frame);
-        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{} && !groups[g].uncovered) {
+        groups[g].tree = placed(work.known.trees.at(counts[g]), groups[g]);
+        if (groups[g].elements.size() == 1 && groups[g].frame == Pose{} && groups[g].from_shape == Likeness{} &&
+            !groups[g].uncovered) {
             groups[g].solid = work.unfilled; // the group has the frame of the shape
             groups[g].filled = work.original;
         }

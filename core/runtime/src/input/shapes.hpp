@@ -86,7 +86,15 @@ const char* plural_of(const std::vector<ShapeWork>& shapes);
 /// Returns one group per link, or one per collision element (recipe: per), for the links without an error.
 std::vector<Group> make_groups(const Workspace& workspace, const std::vector<LinkWork>& links);
 
-/// Returns the distinct shapes: groups with equal geometry and recipe share one. Sets Group::shape.
+/// Returns the pose of an element in its group's frame; exactly the identity for the first element.
+Pose relative_pose(const Group& group, const LinkWork& link, std::size_t element);
+/// Returns the kept spheres in the frame in which the group's shape is spherized.
+std::vector<Sphere> kept_of(const Group& group, const LinkWork& link);
+/// Returns whether the spherizer uses nothing but the original geometry.
+bool original_only(const Workspace& workspace, const StageCall& spherizer);
+
+/// Returns the distinct shapes: groups with equal recipe share one if their geometry is equal, or the image of the
+/// other's: turned or mirrored. Sets Group::shape and Group::from_shape. Reports the mirrored ones.
 std::vector<ShapeWork> distinct_shapes(const Workspace& workspace, const std::vector<LinkWork>& links,
                                        std::vector<Group>& groups);
 

@@ -1,6 +1,7 @@
 // The links of a robot with their spheres: searched, finished, proved as written.
 #pragma once
 
+#include <foam/geometry/internal/likeness.hpp>
 #include <foam/geometry/solid.hpp>
 #include <foam/runtime/internal/input.hpp>
 #include <foam/sdk/model.hpp>
@@ -23,8 +24,9 @@ struct Group {
     /// Pose of the first element's frame, in which the shape is spherized, in the link's frame. So equal geometry at
     /// different places (a pair of fingers) is one shape.
     Pose frame;
-    double weight = 1;     ///< factor on its volume in the allocation
-    std::size_t shape = 0; ///< index of the distinct shape
+    double weight = 1;       ///< factor on its volume in the allocation
+    std::size_t shape = 0;   ///< index of the distinct shape
+    Likeness from_shape{};   ///< from the shape's frame to `frame`: a link may be the mirror image of another
     SphereTree tree;       ///< link frame; the spherizer's tree, transformed
     /// With spheres that the link keeps: the geometry that they leave uncovered, which `tree` is to cover, in the
     /// link's frame; null: they leave none, or there are none.
