@@ -122,7 +122,7 @@ void write_files(const std::vector<WrittenFile>& files, const Original* original
                  bool in_place) {
     std::vector<std::filesystem::path> inputs{arguments.robot};
     if (original) {
-        inputs = mesh_files(*original->robot);
+        inputs = files_beside(*original->robot);
         inputs.emplace_back(arguments.robot);
     }
     if (!in_place) {

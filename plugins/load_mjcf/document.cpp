@@ -87,6 +87,14 @@ void Document::expand(Node& node) {
     }
 }
 
+std::vector<std::filesystem::path> Document::files() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : files_) {
+        files.push_back(std::filesystem::absolute(file->path).lexically_normal());
+    }
+    return files;
+}
+
 /// Appends the elements of an included file. MuJoCo looks beside the main file first, then beside the file that
 /// includes.
 void Document::include(const Node& place, std::vector<Node>& into) {

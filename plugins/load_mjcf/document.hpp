@@ -55,6 +55,8 @@ public:
     const Node& root() const { return root_; }
     /// Returns the folder of the main file.
     std::filesystem::path folder() const { return files_.front()->path.parent_path(); }
+    /// Returns its files, the main one first.
+    std::vector<std::filesystem::path> files() const;
 
 private:
     const File& add(const std::string& text, const std::filesystem::path& file);

@@ -43,6 +43,8 @@ public:
     /// Names the mesh of a geom, and marks what is wanted of it.
     void prepare(Geom& geom);
     void read(const MeshLoader* loader) { meshes_.read(loader); }
+    /// Returns the files that read() reads.
+    std::vector<std::filesystem::path> files() const { return meshes_.files(); }
     /// Returns what collides. Throws Error(input) naming file and line.
     GeometryElement collision(const Geom& geom) const;
     /// Returns what is seen; nothing with a warning for a mesh that is not found.

@@ -191,13 +191,28 @@ MeshAsset& Meshes::named(const Model& model, const std::string& name, const Attr
     return *asset;
 }
 
-void Meshes::read(const MeshLoader* loader) {
+std::vector<MeshAsset*> Meshes::wanted() const {
     std::vector<MeshAsset*> wanted;
     for (const auto& [node, asset] : assets_) {
         if ((asset->wanted || asset->hull_wanted) && asset->found()) {
             wanted.push_back(asset.get());
         }
     }
+    return wanted;
+}
+
+std::vector<fs::path> Meshes::files() const {
+    std::vector<fs::path> files;
+    for (const MeshAsset* asset : wanted()) {
+        if (!asset->path().empty()) {
+            files.push_back(fs::absolute(asset->path()).lexically_normal());
+        }
+    }
+    return files;
+}
+
+void Meshes::read(const MeshLoader* loader) {
+    const std::vector<MeshAsset*> wanted = this->wanted();
     parallel_for(wanted.size(), [&](std::size_t i) { wanted[i]->read(loader); });
 }
 

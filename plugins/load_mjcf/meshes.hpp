@@ -36,6 +36,8 @@ public:
     MeshReference surface() const;
     MeshReference hull() const;
     const Attributes& attributes() const { return attributes_; }
+    /// Returns its file; empty: none is found, or the text has the mesh.
+    const std::filesystem::path& path() const { return path_; }
 
     bool wanted = false, hull_wanted = false; ///< by a geom
 
@@ -65,8 +67,12 @@ public:
     MeshAsset& named(const Model& model, const std::string& name, const Attributes& geom);
     /// Reads those that are wanted, in parallel.
     void read(const MeshLoader* loader);
+    /// Returns the files that read() reads.
+    std::vector<std::filesystem::path> files() const;
 
 private:
+    std::vector<MeshAsset*> wanted() const;
+
     std::map<const Node*, std::unique_ptr<MeshAsset>> assets_;
 };
 

@@ -101,4 +101,13 @@ std::optional<Model::Found> Model::find(std::string_view element, const std::str
     return {};
 }
 
+std::set<fs::path> Model::files() const {
+    const std::vector<fs::path> own = document.files();
+    std::set<fs::path> files(own.begin(), own.end());
+    for (const auto& [name, model] : models) {
+        files.merge(model->files());
+    }
+    return files;
+}
+
 } // namespace foam::mjcf

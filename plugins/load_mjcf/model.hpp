@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,8 @@ struct Model {
     };
     /// Returns the body or frame of that name; nothing if there is none.
     std::optional<Found> find(std::string_view element, const std::string& name) const;
+    /// Returns its files, and those of models that it attaches.
+    std::set<std::filesystem::path> files() const;
 
 private:
     void read_settings();

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace foam::mjcf {
 namespace {
 
@@ -32,10 +34,25 @@ public:
         add_geometry(tree, shapes, context);
         tree.robot.file = file;
         tree.robot.source = text; // for write.mjcf, which edits it
+        tree.robot.further_files = further_files(model, shapes, tree.robot);
         return std::move(tree.robot);
     }
 
 private:
+    /// Returns files of models, and of meshes that primitives are fitted to: no link names these.
+    static std::vector<std::filesystem::path> further_files(const Model& model, const Shapes& shapes,
+                                                            const Robot& robot) {
+        std::set<std::filesystem::path> files = model.files();
+        for (const std::filesystem::path& mesh : shapes.files()) {
+            files.insert(mesh);
+        }
+        files.erase(std::filesystem::absolute(robot.file).lexically_normal());
+        for (const std::filesystem::path& named : files_beside(robot)) {
+            files.erase(std::filesystem::absolute(named).lexically_normal());
+        }
+        return {files.begin(), files.end()};
+    }
+
     static void add_geometry(Tree& tree, const Shapes& shapes, Context& context) {
         std::size_t ground = 0;
         CancellationCounter asking(64);

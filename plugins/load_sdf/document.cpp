@@ -127,6 +127,20 @@ Document::Document(const std::string& text, const fs::path& file, References& re
     }
 }
 
+std::vector<fs::path> Document::included() const {
+    std::set<fs::path> files;
+    const auto walk = [&](const auto& self, const ::sdf::ElementPtr& element) -> void {
+        for (::sdf::ElementPtr child = element; child; child = child->GetNextElement()) {
+            if (const std::string& file = child->FilePath(); !file.empty() && !is_main(file)) {
+                files.insert(fs::absolute(file).lexically_normal());
+            }
+            self(self, child->GetFirstElement());
+        }
+    };
+    walk(walk, root_.Element());
+    return {files.begin(), files.end()};
+}
+
 Place Document::place_of(const ::sdf::ElementPtr& element) const {
     Place place{.file = file_};
     if (element) {

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace foam::load_sdf {
 
@@ -29,6 +30,8 @@ public:
     /// Whether links are called after their model as well: there is more than one <model> or <include>.
     bool scoped() const { return scoped_; }
 
+    /// Returns the files that it includes, sorted.
+    std::vector<std::filesystem::path> included() const;
     /// Returns the file that an element stands in, and its line.
     Place place_of(const ::sdf::ElementPtr& element) const;
     /// Returns the line of an element of the text itself; 0 for one of an included file.

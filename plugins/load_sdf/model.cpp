@@ -258,6 +258,7 @@ Robot robot_of(const std::string& text, const std::filesystem::path& file, const
     shapes.report();
     robot.file = file;
     robot.source = text; // for write.sdf, which edits it
+    robot.further_files = document.included();
     return robot;
 }
 

@@ -127,8 +127,10 @@ public:
 
     Robot load(const std::string&, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
-        return loader_.load_labelled(expanded_xacro(file, arguments_), file.string() + " (expanded)", file, resources,
-                                     context);
+        Robot robot = loader_.load_labelled(expanded_xacro(file, arguments_), file.string() + " (expanded)", file,
+                                            resources, context);
+        robot.further_files = included_by_xacro(file, arguments_);
+        return robot;
     }
 
 private:

@@ -157,6 +157,26 @@ TEST_F(RobotsIn, TheOutputOfAnMjcfIsTheSameFile) {
     EXPECT_THAT(contents(path() / "other.xml"), HasSubstr("<mujoco"));
 }
 
+/// A file that the input includes is an input: it is not replaced, and a run tells when it has changed.
+TEST_F(RobotsIn, IncludedFilesAreInputs) {
+    const std::string part = "<mujoco><worldbody><body name='base'><geom size='0.1'/></body></worldbody></mujoco>\n";
+    write("part.xml", part);
+    write("arm.xml", "<mujoco><include file='part.xml'/></mujoco>\n");
+    const Outcome over = foam("spherize arm.xml -n 1 -m octree -o part.xml");
+    EXPECT_EQ(over.code, 2);
+    EXPECT_THAT(over.err, HasSubstr("part.xml: the output would replace the input "));
+    EXPECT_EQ(contents(path() / "part.xml"), part);
+    write("arm.yaml", "foam: 1\nrobot: {urdf: arm.xml}\nstages: [spherize.octree]\nbudget: {spheres: 1}\n");
+    ASSERT_EQ(foam("run arm.yaml --run-dir out").code, 0);
+    EXPECT_THAT(contents(path() / "out/manifest.json"), HasSubstr("\"further_files\": [\n    {\n      \"file\": \"part.xml\""));
+    EXPECT_EQ(foam("verify out").code, 0);
+    write("part.xml", part + "<!-- later -->");
+    const Outcome verified = foam("verify out");
+    EXPECT_EQ(verified.code, 1);
+    EXPECT_THAT(verified.out, HasSubstr("further file"));
+    EXPECT_THAT(verified.out, HasSubstr("part.xml"));
+}
+
 #if FOAM_TEST_SDF
 TEST_F(RobotsIn, TheOutputOfAnSdfIsTheSameFile) {
     const std::string surface = "<surface><friction><ode><mu>0.5</mu></ode></friction></surface>";

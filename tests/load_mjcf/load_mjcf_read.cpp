@@ -161,6 +161,8 @@ TEST(LoadMjcf, SplicesIncludedFiles) {
     const Robot robot =
         load_mjcf("<mujoco><include file='sub\\\\a.xml'/></mujoco>", context, folder.path() / "robot.xml");
     expect_at(geom(robot, 0, "b").origin.rotate({0, 0, 1}), {0, -1, 0});
+    EXPECT_EQ(robot.further_files, (std::vector<std::filesystem::path>{folder.path() / "c.xml", folder.path() / "sub" / "a.xml",
+                                                                       folder.path() / "sub" / "b.xml"}));
 }
 
 TEST(LoadMjcf, ABodyMayHaveSeveralJoints) {

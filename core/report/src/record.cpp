@@ -121,6 +121,11 @@ std::string recipe_section(const Report& report) {
 std::string files_section(const Report& report) {
     const Json& manifest = report.manifest;
     std::string inputs = file_row(manifest["input"], "input"), outputs;
+    if (manifest.contains("further_files")) {
+        for (const Json& file : manifest["further_files"]) {
+            inputs += file_row(file, "read with it");
+        }
+    }
     for (const Json& mesh : manifest["mesh_files"]) {
         inputs += file_row(mesh, "mesh");
     }

@@ -40,8 +40,8 @@ std::vector<std::string> tips_of(const Robot& robot) {
     return tips;
 }
 
-std::vector<std::filesystem::path> mesh_files(const Robot& robot) {
-    std::vector<std::filesystem::path> files;
+std::vector<std::filesystem::path> files_beside(const Robot& robot) {
+    std::vector<std::filesystem::path> files = robot.further_files;
     for (const Link& link : robot.links) {
         for (const std::vector<GeometryElement>* elements : {&link.collisions, &link.visuals}) {
             for (const GeometryElement& element : *elements) {

@@ -157,8 +157,8 @@ std::vector<std::filesystem::path> files_read(const Recipe& recipe, const RunFil
     for (const InputFile& mesh : files.meshes) {
         read.push_back(mesh.file);
     }
-    const std::vector<std::filesystem::path> meshes = mesh_files(*files.input.robot);
-    read.insert(read.end(), meshes.begin(), meshes.end());
+    const std::vector<std::filesystem::path> beside = files_beside(*files.input.robot);
+    read.insert(read.end(), beside.begin(), beside.end());
     return read;
 }
 

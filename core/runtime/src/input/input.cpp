@@ -94,6 +94,11 @@ Input load_input(const Workspace& workspace) {
     input.file = std::move(loaded.file);
     input.digest = loaded.digest;
     input.bytes = loaded.bytes;
+    for (const fs::path& file : loaded.robot->further_files) {
+        const fs::path seen = file.lexically_relative(fs::absolute(loaded.robot->file).parent_path().lexically_normal());
+        const DigestedFile read = digest_of_file(file);
+        input.further.push_back({seen.empty() ? file.string() : seen.generic_string(), file, read.digest, read.bytes});
+    }
     input.report = std::move(loaded.report);
     input.report.output = digest_of_content(*loaded.robot);
     input.collision_only = uncovered_links(*loaded.robot, cover);

@@ -67,6 +67,9 @@ InputsHere inputs_here(const Recipe& recipe, const Registry& registry) {
     InputsHere here;
     here.digests.push_back({"", "input file", input.report.input, input.digest});
     here.files[input.report.input] = input.file;
+    for (const InputFile& further : input.further) {
+        here.digests.push_back({"", "further file", further.reference, further.digest});
+    }
     for (const InputFile& mesh : mesh_files(workspace, *input.robot)) {
         here.digests.push_back({"", "mesh file", mesh.reference, mesh.digest});
         here.files[mesh.reference] = mesh.file;

@@ -253,6 +253,9 @@ std::string manifest_json(const Workspace& workspace, const RunFiles& files, con
                   {"outputs", to_json(files.outputs)},
                   {"debug_meshes", to_json(files.debug_meshes)},
                   {"execution", execution_of(workspace, files, result)}};
+    if (!files.input.further.empty()) {
+        manifest["further_files"] = to_json(files.input.further);
+    }
     if (result.total_unpadded) {
         manifest["total"]["excess_unpadded"] = result.total_unpadded->excess;
     }

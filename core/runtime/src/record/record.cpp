@@ -141,6 +141,13 @@ Record parse_record(const std::string& bytes, const std::string& source) {
         record.inputs.push_back({"", "input file", text(input, "file"), text(input, "digest")});
         record.stages.push_back({"", text(input, "stage"), text(input, "file"), text(input, "output")});
     });
+    if (manifest.contains("further_files")) {
+        section(manifest, "further_files", source, [&](const Json& files) {
+            for (const Json& file : files) {
+                record.inputs.push_back({"", "further file", text(file, "file"), text(file, "digest")});
+            }
+        });
+    }
     section(manifest, "mesh_files", source, [&](const Json& meshes) {
         for (const Json& mesh : meshes) {
             record.inputs.push_back({"", "mesh file", text(mesh, "file"), text(mesh, "digest")});

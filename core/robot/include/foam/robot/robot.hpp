@@ -109,6 +109,8 @@ struct Robot {
     /// The text of the URDF that it was read from, unchanged, for write.urdf, which edits it; empty: write.urdf composes
     /// one. Nobody else reads it.
     std::string source;
+    /// Files that it was read from beside its own, sorted: included ones, and meshes whose hulls it has.
+    std::vector<std::filesystem::path> further_files{};
     std::shared_ptr<const StageOfRobot> stage{}; ///< null: it was not read from USD
 
     /// Returns the link; nullptr if no link has that name.
@@ -118,8 +120,9 @@ struct Robot {
 /// Returns the tips: the links that no joint moves another link from, in the order of the source.
 std::vector<std::string> tips_of(const Robot& robot);
 
-/// Returns the files of the robot's meshes, collision geometry and visuals.
-std::vector<std::filesystem::path> mesh_files(const Robot& robot);
+/// Returns the files that the robot's own leads to: Robot::further_files, and those of its meshes, collision geometry and
+/// visuals.
+std::vector<std::filesystem::path> files_beside(const Robot& robot);
 
 /// Joint values by name (rad or m). Unnamed joints stay at zero, moved into their limits.
 using JointValues = std::map<std::string, double>;

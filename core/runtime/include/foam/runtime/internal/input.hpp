@@ -19,6 +19,7 @@ struct Input {
     std::vector<std::string> collision_only; ///< links that lose their collision geometry thereby
     Digest digest;                      ///< of the file
     std::size_t bytes = 0;              ///< of the file
+    std::vector<InputFile> further;     ///< Robot::further_files, by their paths from its folder
     StageReport report;                 ///< of the loader; its stage is empty for a single mesh
 };
 
