@@ -199,7 +199,7 @@ foam::StageInfo info(std::string name, std::string summary, std::string referenc
     info.original_only = true;
     info.objective_parameter = "objective";
     info.kinds = std::move(kinds);
-    info.revision = 6;
+    info.revision = 7;
     return info;
 }
 

@@ -6,6 +6,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/writing.hpp>
 #include <foam/xml/document.hpp>
 
 #include <fmt/format.h>
@@ -176,7 +177,7 @@ private:
             if (leads_there) {
                 const auto begin = static_cast<std::size_t>(parts.front().data() - text_.data());
                 editor_.replace({begin, begin + parts.front().size()},
-                                markup_escaped((own / path).lexically_relative(folder).generic_string()));
+                                markup_escaped(path_seen_from(folder, own / path)));
             }
         }
         for (const auto& child : element.children) {

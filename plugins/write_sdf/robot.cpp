@@ -7,6 +7,7 @@
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
 #include <foam/geometry/vector.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,14 @@ public:
         : model_(model), robot_(*model.robot), context_(context), hulls_(file_name_of(model)) {
         for (LinkSpheres& link : in_known_kinds(elements_by_link(model), known)) {
             links_[link.link] = std::move(link);
+        }
+        for (KeptGeometry& kept : kept_geometry(model)) {
+            if (kept.meshes) {
+                without_contact_.push_back(kept.link);
+            }
+            if (!kept.primitives.empty()) {
+                links_[kept.link] = {kept.link, std::move(kept.primitives)};
+            }
         }
         for (const Joint& joint : robot_.joints) {
             above_[joint.child] = &joint;
@@ -75,8 +84,6 @@ private:
                 text += fmt::format("      <collision name=\"{}\">\n        {}\n        {}\n      </collision>\n",
                                     collision.name, collision.pose, collision.geometry);
             }
-        } else if (!link.collisions.empty()) {
-            without_contact_.push_back(link.name);
         }
         return text + "    </link>\n";
     }
@@ -127,7 +134,7 @@ private:
                 return "";
             }
             const bool scaled = mesh.scale != Vec3{1, 1, 1};
-            shape = fmt::format("<mesh><uri>{}</uri>{}</mesh>", markup_escaped(path_of(mesh.path)),
+            shape = fmt::format("<mesh><uri>{}</uri>{}</mesh>", markup_escaped(path_seen_from(model_.folder, mesh.path)),
                                 scaled ? "<scale>" + vector_text(mesh.scale) + "</scale>" : "");
         }
         return fmt::format("      <visual name=\"visual_{}\">\n        {}\n        <geometry>{}</geometry>\n{}"
@@ -144,14 +151,6 @@ private:
             colour += (colour.empty() ? "" : " ") + number_text(std::clamp(share, 0.0, 1.0));
         }
         return fmt::format("        <material><ambient>{0}</ambient><diffuse>{0}</diffuse></material>\n", colour);
-    }
-
-    /// Returns the path of a mesh from the folder of the output.
-    std::string path_of(const std::filesystem::path& file) const {
-        const std::filesystem::path whole = std::filesystem::weakly_canonical(file);
-        return model_.folder.empty() ? whole.generic_string()
-                                     : whole.lexically_relative(std::filesystem::weakly_canonical(model_.folder))
-                                           .generic_string();
     }
 
     static bool is_free(const Joint& joint) { return joint.kind == Joint::Kind::floating; }
@@ -209,7 +208,7 @@ private:
         warn(without_mass_, "no <inertial> with a mass, and Gazebo takes 1 kg for each; remedy: add <inertial> to the "
                             "robot: links");
         warn(following_, "SDF 1.9 has no joints that follow others; these move by themselves");
-        warn(without_contact_, "links without elements have no collisions in the file; remedy: elements for them: links");
+        warn(without_contact_, "collision meshes of links without elements are not in the file; remedy: elements for them: links");
         warn({unseen_.begin(), unseen_.end()}, "visual meshes that are in no file of their own are left out: links");
     }
 

@@ -3,6 +3,7 @@
 #include <foam/base/file.hpp>
 #include <foam/base/text.hpp>
 #include <foam/sdk/resource.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
@@ -75,7 +76,7 @@ std::string path_from(const fs::path& folder, const std::string& path, const fs:
     if (from == fs::weakly_canonical(base) || fs::equivalent(from / path, target, error)) {
         return path;
     }
-    return physical(target).lexically_relative(from).string();
+    return path_seen_from(folder, target);
 }
 
 /// Returns the <name> of a package.xml (REP 149); empty if there is no such file or no name in it.

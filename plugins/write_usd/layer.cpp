@@ -5,6 +5,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/vector.hpp>
+#include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
 
@@ -239,13 +240,11 @@ const StageOfRobot* stage_below(const SphereModel& model, const LayerOptions& op
 
 /// Returns the path of the robot's file, from the folder of the output.
 std::string path_below(const SphereModel& model) {
-    const std::filesystem::path file = std::filesystem::absolute(model.robot->file).lexically_normal();
-    const std::filesystem::path relative = model.folder.empty() ? file.filename()
-                                                                : file.lexically_relative(model.folder.lexically_normal());
-    if (relative.empty()) {
-        return file.generic_string();
+    if (model.folder.empty()) {
+        return "./" + model.robot->file.filename().string();
     }
-    return (relative.begin()->string() == ".." ? "" : "./") + relative.generic_string();
+    const std::string seen = path_seen_from(model.folder, model.robot->file);
+    return (seen.starts_with("..") ? "" : "./") + seen;
 }
 
 std::string header(const SphereModel& model, const LayerOptions& options) {

@@ -129,26 +129,15 @@ bool MjcfBodies::has_shaped() const {
 
 /// Adds the primitives of links without elements, which keep their collision geometry.
 void MjcfBodies::keep_geometry() {
-    const std::vector<std::string>& none = model_.without_collision;
-    for (const std::string& name : uncovered_links(model_)) {
-        const Link* link = model_.robot->find_link(name);
-        if (!link || std::find(none.begin(), none.end(), name) != none.end()) {
-            continue;
+    for (KeptGeometry& kept : kept_geometry(model_)) {
+        if (!kept.primitives.empty()) {
+            elements_[kept.link] = std::move(kept.primitives);
         }
-        bool meshes = false;
-        for (const GeometryElement& geometry : link->collisions) {
-            const auto* primitive = std::get_if<Element>(&geometry.geometry);
-            meshes = meshes || !primitive;
-            if (!primitive) {
-                continue;
-            }
-            elements_[name].add(moved(*primitive, geometry.origin));
-        }
-        if (meshes) {
+        if (kept.meshes) {
             context_.log(Severity::warning,
                          fmt::format("link '{}' has no elements, and its collision meshes are not in the file: without "
                                      "contact in MuJoCo; remedy: elements for it",
-                                     shown(name)));
+                                     shown(kept.link)));
         }
     }
 }

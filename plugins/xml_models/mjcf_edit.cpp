@@ -61,8 +61,8 @@ public:
         if (what_.folder.empty() || what_.folder.lexically_normal() == own) {
             return;
         }
-        const std::filesystem::path relative = own.lexically_relative(what_.folder.lexically_normal());
-        move_paths(editor_, *root_, (relative.empty() ? own : relative).generic_string());
+        const std::filesystem::path seen = path_seen_from(what_.folder, own / "file");
+        move_paths(editor_, *root_, seen.parent_path().empty() ? "." : seen.parent_path().generic_string());
     }
 
     void put_pairs() {

@@ -46,12 +46,6 @@ bool is_file_of_mujoco(const fs::path& file) {
     return (ending == ".obj" && fs::is_regular_file(file, error)) || (ending == ".stl" && is_stl_of_mujoco(file));
 }
 
-/// Returns the path of a file as seen from a folder, which need not exist yet.
-std::string path_from(const fs::path& folder, const fs::path& file) {
-    const fs::path physical = fs::weakly_canonical(file.parent_path()) / file.filename();
-    return physical.lexically_relative(fs::weakly_canonical(folder)).generic_string();
-}
-
 /// Returns the name with letters, digits, '.', '_' and '-' alone.
 std::string file_word(std::string_view name) {
     std::string word(name);
@@ -164,7 +158,7 @@ std::optional<std::string> MjcfVisuals::file_of(const MeshReference& reference, 
         return {};
     }
     if (!reference.mesh && is_file_of_mujoco(reference.path)) {
-        return path_from(model_.folder, reference.path);
+        return path_seen_from(model_.folder, reference.path);
     }
     const std::string key = fmt::format("{}\n{}", reference.path.string(), fmt::ptr(reference.mesh.get()));
     if (const auto known = sources_.find(key); known != sources_.end()) {

@@ -281,6 +281,33 @@ TEST(Approximate, HullsOfPartsThatOverlap) {
     }
 }
 
+/// The parts of a link are often what a user would take for its elements.
+TEST(Approximate, PartsThatAreElementsStayWhatTheyAre) {
+    const auto placed = [](Element element, const Vec3& xyz, const Vec3& rpy) {
+        Solid::Part part;
+        part.primitive = std::move(element);
+        part.pose = Pose::from_xyz_rpy(xyz, rpy);
+        return part;
+    };
+    const auto boxes = Solid::make({placed(Element::box({0.5, 0.25, 0.1}), {}, {}),
+                                    placed(Element::box({0.1, 0.1, 0.1}), {0.28, 0, 0.05}, {0.1, 0.2, 0.3})});
+    const auto bars = Solid::make({placed(Element::capsule(0.05, 0.4), {}, {0.3, 0, 0}),
+                                   placed(Element::capsule(0.03, 0.3), {0.1, 0, 0.1}, {0, 1, 0}),
+                                   placed(Element::capsule(0.04, 0.2), {-0.1, 0, 0}, {0, 0, 0})});
+    for (const std::size_t count : {2, 3, 7}) {
+        for (const Kind kind : {Kind::box, Kind::hull}) {
+            const Cover cover = cover_by(*boxes, count, kind);
+            expect_cover(*boxes, cover, count);
+            EXPECT_LE(excess_of(*boxes, cover), 1e-3) << count << to_string(kind);
+        }
+        if (count > 2) {
+            const Cover cover = cover_by(*bars, count, Kind::capsule);
+            expect_cover(*bars, cover, count);
+            EXPECT_LE(excess_of(*bars, cover), 0.03) << count; // the overlap that the proof of round parts needs
+        }
+    }
+}
+
 TEST(Approximate, OneElementProtrudesLeastWhereThatIsTheObjective) {
     for (const Mesh& mesh : {l_shape(), torus()}) {
         const auto solid = Solid::make(mesh);

@@ -217,10 +217,9 @@ bool is_mesh(const std::filesystem::path& input, const Registry& registry) {
 
 std::string own_format(const std::filesystem::path& input, const Registry& registry) {
     const std::string text = read_file(input, most_robot_bytes);
-    for (const auto& [name, stage] : registry.stages()) {
-        const std::string format = name.substr(name.find('.') + 1);
-        if (stage.kind == StageKind::robot_loader && registry.find("write." + format) &&
-            registry.make<RobotLoader>(name)->recognises(text)) {
+    for (const RegisteredStage* loader : registry.robot_loaders_of(text)) {
+        const std::string format = loader->info.name.substr(loader->info.name.find('.') + 1);
+        if (registry.find("write." + format)) {
             return format;
         }
     }

@@ -132,6 +132,36 @@ std::vector<std::string> uncovered_links(const SphereModel& model) {
     return links;
 }
 
+std::vector<KeptGeometry> kept_geometry(const SphereModel& model) {
+    std::vector<KeptGeometry> kept;
+    const std::vector<std::string>& none = model.without_collision;
+    for (const std::string& name : uncovered_links(model)) {
+        const Link* link = model.robot->find_link(name);
+        if (!link || std::find(none.begin(), none.end(), name) != none.end()) {
+            continue;
+        }
+        KeptGeometry& geometry = kept.emplace_back(KeptGeometry{name, {}, false});
+        for (const GeometryElement& element : link->collisions) {
+            if (const auto* primitive = std::get_if<Element>(&element.geometry)) {
+                geometry.primitives.add(moved(*primitive, element.origin));
+            } else {
+                geometry.meshes = true;
+            }
+        }
+    }
+    return kept;
+}
+
+std::string path_seen_from(const std::filesystem::path& folder, const std::filesystem::path& file) {
+    const std::filesystem::path whole = std::filesystem::absolute(file);
+    const std::filesystem::path physical = std::filesystem::weakly_canonical(whole.parent_path()) / whole.filename();
+    if (folder.empty()) {
+        return physical.generic_string();
+    }
+    return physical.lexically_relative(std::filesystem::weakly_canonical(std::filesystem::absolute(folder)))
+        .generic_string();
+}
+
 std::vector<LinkSpheres> spheres_by_link(const SphereModel& model, int level) {
     std::vector<LinkSpheres> links = elements_by_link(model, level);
     for (const LinkSpheres& link : links) {

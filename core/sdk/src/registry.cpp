@@ -205,6 +205,16 @@ const RegisteredStage* Registry::find(std::string_view stage) const {
     return it == stages_.end() ? nullptr : &it->second;
 }
 
+std::vector<const RegisteredStage*> Registry::robot_loaders_of(std::string_view text) const {
+    std::vector<const RegisteredStage*> loaders;
+    for (const auto& [name, stage] : stages_) {
+        if (stage.kind == StageKind::robot_loader && make<RobotLoader>(name)->recognises(text)) {
+            loaders.push_back(&stage);
+        }
+    }
+    return loaders;
+}
+
 const RegisteredStage* Registry::find_for_extension(StageKind kind, std::string_view extension,
                                                     std::string_view preferred) const {
     const std::string wanted = lower_case(extension);

@@ -30,10 +30,7 @@ bool is_robot_file(const std::filesystem::path& file, bool first, const Registry
     }
     const std::string text = read_file(file, most_robot_bytes);
     return xml::root_name(text) == "robot" ||
-           (first && std::ranges::any_of(registry.stages(), [&](const auto& entry) {
-                const auto& [name, stage] = entry;
-                return stage.kind == StageKind::robot_loader && registry.make<RobotLoader>(name)->recognises(text);
-            }));
+           (first && !registry.robot_loaders_of(text).empty());
 }
 
 /// Returns the names of links that may have spheres, as match() needs them: without their geometry.

@@ -62,11 +62,8 @@ const RegisteredStage& robot_loader_of(const Registry& registry, const Reading& 
     const auto rank = [&](const RegisteredStage& stage) {
         return stage.info.name == reading.preferred_loader ? 2 : &stage == of_ending ? 1 : 0;
     };
-    for (const auto& [name, stage] : registry.stages()) {
-        const bool better = !loader || rank(stage) > rank(*loader);
-        if (stage.kind == StageKind::robot_loader && better && registry.make<RobotLoader>(name)->recognises(text)) {
-            loader = &stage;
-        }
+    for (const RegisteredStage* stage : registry.robot_loaders_of(text)) {
+        loader = !loader || rank(*stage) > rank(*loader) ? stage : loader;
     }
     for (const std::string& ending : {extension_of(file), std::string("urdf")}) {
         loader = loader ? loader : registry.find_for_extension(StageKind::robot_loader, ending);

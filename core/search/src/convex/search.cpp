@@ -342,7 +342,49 @@ struct Search::Data {
         }
         return *partitions_;
     }
-    Rated several(std::size_t count) { return cover_of(partitions().best(count)); }
+    /// Returns an element around each part of the solid. A part that is an element of one of the kinds stays what it is.
+    std::vector<Element> elements_of_parts() const {
+        const std::vector<Solid::Part>& parts = solid.parts();
+        const std::span<const std::uint32_t> offsets = solid.part_offsets();
+        const Mesh& surface = solid.surface();
+        std::vector<Element> elements(parts.size());
+        parallel_for(parts.size(), [&](std::size_t i) {
+            if (parts[i].primitive && has(parts[i].primitive->kind) && !options.axis_aligned) {
+                elements[i] = moved(*parts[i].primitive, parts[i].pose);
+                return;
+            }
+            std::vector<Vec3> points;
+            for (std::uint32_t t = offsets[i]; t < offsets[i + 1]; ++t) {
+                for (const std::uint32_t corner : surface.triangles[t]) {
+                    points.push_back(surface.vertices[corner]);
+                }
+            }
+            elements[i] = element_around(points, options.effort);
+        });
+        return elements;
+    }
+    /// Returns the cover by these elements; null where there is one part, or more than `count`.
+    Rated* by_parts(std::size_t count) {
+        if (solid.parts().size() < 2 || solid.parts().size() > count) {
+            return nullptr;
+        }
+        if (!by_parts_) {
+            by_parts_ = Rated{cover_by(elements_of_parts()), {}};
+        }
+        return &*by_parts_;
+    }
+    Rated several(std::size_t count) {
+        constexpr double exact = 1e-3; // of the volume, which is measured along lines where parts overlap
+        Rated* parts = by_parts(count);
+        if (parts && options.objective == Objective::excess && figure(*parts) <= exact * solid.volume()) {
+            return *parts;
+        }
+        Rated found = cover_of(partitions().best(count));
+        if (parts) {
+            take_better(found, *parts);
+        }
+        return found;
+    }
     double figure(Rated& rated) const {
         if (!rated.figure) {
             rated.figure = figure_of(solid, rated.cover, options.objective);
@@ -368,6 +410,7 @@ struct Search::Data {
     std::unique_ptr<Data> quicker_;
     std::optional<BodyOfSolid> body_;
     std::optional<Partitions> partitions_;
+    std::optional<Rated> by_parts_;
     std::map<std::size_t, Rated> known;
 };
 

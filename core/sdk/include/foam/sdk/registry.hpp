@@ -54,6 +54,8 @@ public:
     const RegisteredStage* find(std::string_view stage) const;
     /// Returns all stages by name.
     const std::map<std::string, RegisteredStage, std::less<>>& stages() const { return stages_; }
+    /// Returns the loaders that recognise the text of a robot's file, by name.
+    std::vector<const RegisteredStage*> robot_loaders_of(std::string_view text) const;
     /// Returns the stage of that kind which handles a file name ending ("stl"; any case); nullptr if none does. Among
     /// several, `preferred` comes first, then the others by name, with those of last resort at the end.
     const RegisteredStage* find_for_extension(StageKind kind, std::string_view extension,

@@ -5,6 +5,7 @@
 #include <foam/sdk/model.hpp>
 #include <foam/sdk/parameter.hpp>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -82,6 +83,19 @@ const std::vector<std::string>& require_tool_frames(const SphereModel& model, co
 /// Returns the links with collision geometry that have no elements in the model, in the order of the robot's links: the
 /// recipe skips them or leaves their geometry out, or they failed.
 std::vector<std::string> uncovered_links(const SphereModel& model);
+
+/// Collision geometry that stays, in files that are written whole.
+struct KeptGeometry {
+    std::string link;
+    Elements primitives; ///< in the link's frame
+    bool meshes = false; ///< the link has collision meshes, which do not stay
+};
+/// Returns the geometry of uncovered_links(), but for those that are to have none (SphereModel::without_collision).
+std::vector<KeptGeometry> kept_geometry(const SphereModel& model);
+
+/// Returns the path of a file as it is seen from a folder, which need not exist yet, with slashes. Symbolic links are
+/// followed, but for the file itself: ".." leads where it says. From no folder: the whole path.
+std::string path_seen_from(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 } // namespace sdk
 } // namespace foam
