@@ -40,7 +40,7 @@ public:
     explicit UrdfLoader(bool lenient) : lenient_(lenient) {}
     explicit UrdfLoader(const Parameters& parameters) : UrdfLoader(parameters.boolean("lenient")) {}
 
-    bool recognises(std::string_view text) const override { return xml::root_name(text) == "robot"; }
+    bool recognises(std::string_view text) const override { return root_name_of(text) == "robot"; }
 
     Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
@@ -48,9 +48,10 @@ public:
     }
 
     /// Returns the robot of a text whose lines messages name by `label`.
-    Robot load_labelled(const std::string& text, const std::string& label, const std::filesystem::path& file,
+    Robot load_labelled(const std::string& given, const std::string& label, const std::filesystem::path& file,
                         const ResourceResolver& resources, Context& context) const {
         const Reader reader(label, lenient_);
+        const std::string text = utf8_text(given, reader);
         std::vector<xml::Fault> faults;
         const auto root = xml::parse_leniently(text, reader.label(), ErrorCode::input, faults);
         for (const xml::Fault& fault : faults) {
