@@ -91,9 +91,10 @@ std::string utf8_text(std::string_view text, const Reader& reader) {
             }
         }
         if ((point >= 0xD800 && point < 0xE000) || point > 0x10FFFF) {
-            reader.fail(line, fmt::format("is no valid {}: half a character; remedy: get the file once more, not through "
-                                          "a text conversion",
-                                          form.name()));
+            reader.fail(line,
+                        fmt::format("is no valid {}: half a character; remedy: get the file once more, not through "
+                                    "a text conversion",
+                                    form.name()));
         }
         line += point == '\n';
         append(result, point);
@@ -101,7 +102,10 @@ std::string utf8_text(std::string_view text, const Reader& reader) {
     correct_declaration(result);
     reader.warn(1, fmt::format("the text is {0}, which ROS cannot read; what foam writes of it is UTF-8; remedy: iconv "
                                "-f {0}{1} -t UTF-8, and encoding=\"UTF-8\"",
-                               form.name(), form.mark > 0 ? "" : form.big ? "BE" : "LE"));
+                               form.name(),
+                               form.mark > 0 ? ""
+                               : form.big    ? "BE"
+                                             : "LE"));
     return result;
 }
 

@@ -66,7 +66,8 @@ Vec3 read_scale(const xml::Element& element, const Reader& reader) {
 }
 
 MeshReference read_mesh(const xml::Element& element, const Reader& reader) {
-    MeshReference mesh{.uri = reader.required(element, "filename"), .path = {}};
+    const std::string* file = element.attribute("filename"); // a xacro expression is a mesh that is not found
+    MeshReference mesh{.uri = file && !file->empty() ? *file : reader.required(element, "filename"), .path = {}};
     mesh.scale = read_scale(element, reader);
     if (mesh.scale.x == 0 || mesh.scale.y == 0 || mesh.scale.z == 0) {
         reader.fail(element, fmt::format("<mesh scale=\"{}\"> of '{}' flattens the mesh to nothing: no factor may be 0",

@@ -17,9 +17,10 @@ using Names = std::map<std::string, const xml::Element*>;
 void require_new(Names& names, const std::string& name, const xml::Element& element, const Reader& reader) {
     const auto [it, added] = names.emplace(name, &element);
     if (!added) {
-        reader.fail(element,
-                    fmt::format("a second {} '{}'; the first is in line {}; remedy: give it another name, or remove one",
-                                element.name, name, it->second->line));
+        reader.fail(
+            element,
+            fmt::format("a second {} '{}'; the first is in line {}; remedy: give it another name, or remove one",
+                        element.name, name, it->second->line));
     }
 }
 
@@ -63,7 +64,8 @@ Joint::Kind read_joint_kind(const xml::Element& element, const Reader& reader) {
             return kind;
         }
         if (lower_case(type) == name) {
-            reader.warn(element, fmt::format("<joint type=\"{}\"> is read as {}; remedy: type=\"{}\"", type, name, name));
+            reader.warn(element,
+                        fmt::format("<joint type=\"{}\"> is read as {}; remedy: type=\"{}\"", type, name, name));
             return kind;
         }
     }
@@ -244,10 +246,11 @@ void join_roots(Robot& robot, std::vector<std::string> roots, const Names& links
                                 .origin = {}});
     }
     const std::string others = roots.size() == 1 ? "" : fmt::format(" and {} more", roots.size() - 1);
-    reader.warn(*links.at(roots.front()),
-                fmt::format("no joint leads to link '{0}'{1}, nor to '{2}'; read as fixed to '{2}' with equal frames, as "
-                            "MuJoCo places them; ROS refuses several roots; remedy: a fixed joint from '{2}' to '{0}'",
-                            roots.front(), others, robot.root));
+    reader.warn(
+        *links.at(roots.front()),
+        fmt::format("no joint leads to link '{0}'{1}, nor to '{2}'; read as fixed to '{2}' with equal frames, as "
+                    "MuJoCo places them; ROS refuses several roots; remedy: a fixed joint from '{2}' to '{0}'",
+                    roots.front(), others, robot.root));
 }
 
 /// Finds the link that is not a joint's child. Links and joints must form trees.
@@ -271,10 +274,11 @@ void find_root(Robot& robot, const Names& links, const Names& joints, const Read
     const std::map<std::string, Pose> reached = link_poses(robot);
     for (const Link& link : robot.links) {
         if (!reached.contains(link.name) || roots.empty()) {
-            reader.fail(*joints.at(joint_above.at(link.name)),
-                        fmt::format("the joints go round in a circle through link '{}'; a URDF has trees alone; remedy: "
-                                    "remove one of them",
-                                    link.name));
+            reader.fail(
+                *joints.at(joint_above.at(link.name)),
+                fmt::format("the joints go round in a circle through link '{}'; a URDF has trees alone; remedy: "
+                            "remove one of them",
+                            link.name));
         }
     }
 }
@@ -296,7 +300,7 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
         require_new(links, robot.links.back().name, *element, reader);
     }
     if (robot.links.empty()) {
-        reader.fail(root, "the robot has no links");
+        reader.fail(root, "the robot has no links; remedy: a <link>, or of a file of macros the file that uses them");
     }
     add_implicit_world(robot, links, root, reader);
     for (const xml::Element* element : root.children_named("joint")) {

@@ -19,6 +19,9 @@ std::string explain(const GeometryElement& element, const Link& link, const std:
                     const ResolvedResource& resource, const std::string& label) {
     std::string text = fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, element.line, shown(uri),
                                    shown(link.name));
+    if (is_xacro_expression(uri)) {
+        return text + "; it is a xacro expression; remedy: run xacro first: xacro IN.xacro > OUT.urdf";
+    }
     if (resource.tried.empty()) {
         text += "; references are package://PACKAGE/FILE, model://, file:// or a path";
     } else {

@@ -221,8 +221,8 @@ TEST_F(RobotsIn, UsdNeedsAPythonThatReadsIt) {
 }
 
 TEST_F(RobotsIn, Utf16ComesBackAsUtf8) {
-    const std::string start = "<?xml version='1.0' encoding='", middle = "'?>\n<robot name='r'>\n<!-- kept -->\n<link name='a'>",
-                      end = "</link>\n</robot>\n";
+    const std::string start = "<?xml version='1.0' encoding='",
+                      middle = "'?>\n<robot name='r'>\n<!-- kept -->\n<link name='a'>", end = "</link>\n</robot>\n";
     const std::string collision = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
     for (const std::string& mark : {std::string("\xFF\xFE"), std::string()}) {
         std::string wide = mark;
@@ -233,7 +233,8 @@ TEST_F(RobotsIn, Utf16ComesBackAsUtf8) {
         write("wide.urdf", wide);
         const Outcome outcome = foam("spherize wide.urdf -n 6 -m octree -o wide.urdf --force");
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        EXPECT_THAT(outcome.err, HasSubstr("the text is UTF-16, which ROS cannot read; what foam writes of it is UTF-8"));
+        EXPECT_THAT(outcome.err,
+                    HasSubstr("the text is UTF-16, which ROS cannot read; what foam writes of it is UTF-8"));
         const std::string after = contents(path() / "wide.urdf");
         EXPECT_TRUE(after.starts_with(start + "UTF-8" + middle + "<collision>")) << after;
         EXPECT_TRUE(after.ends_with("</collision>" + end)) << after;

@@ -41,7 +41,8 @@ const Case cases[] = {
     {"Unclosed", "<robot name='r'>\n<link name='a'>\n</robot>",
      "/none/robot.urdf:3:3: XML: mismatched tag; remedy: close each <NAME> by </NAME>, the inner ones first"},
     {"CutShort", "<robot name='r'>\n<link name='a'/>\n",
-     "/none/robot.urdf:3:1: XML: no element found; the file ends too early; remedy: get the whole file, or close what is open"},
+     "/none/robot.urdf:3:1: XML: no element found; the file ends too early; remedy: get the whole file, or close what "
+     "is open"},
     {"LessInValue", "<robot name='a<b'/>",
      "/none/robot.urdf:1:15: XML: not well-formed (invalid token); remedy: values in quotes, a blank between "
      "attributes, &lt; for '<' in a value, no control characters"},
@@ -54,7 +55,8 @@ const Case cases[] = {
      "robot.urdf:2: <xacro:arg>: this is a xacro file; run xacro first"},
     {"XacroExpression", "<robot name='r'>\n<link name='${prefix}a'/></robot>",
      "robot.urdf:2: <link name=\"${prefix}a\"> is a xacro"},
-    {"NoLinks", "<robot name='r'/>", "the robot has no links"},
+    {"NoLinks", "<robot name='r'/>",
+     "the robot has no links; remedy: a <link>, or of a file of macros the file that uses them"},
     {"LinkWithoutName", "<robot name='r'>\n\n<link/></robot>", "robot.urdf:3: <link> has no name"},
     {"SameLinkTwice", "<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>",
      "robot.urdf:3: a second link 'a'; the first is in line 2; remedy: give it another name, or remove one"},
@@ -75,7 +77,8 @@ const Case cases[] = {
      "<robot name='r'><link name='a'/><link name='b'/>\n<joint name='j' type='fixed'><parent link='a'/><child "
      "link='b'/></joint>"
      "\n<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint></robot>",
-     "robot.urdf:3: the joints go round in a circle through link 'a'; a URDF has trees alone; remedy: remove one of them"},
+     "robot.urdf:3: the joints go round in a circle through link 'a'; a URDF has trees alone; remedy: remove one of "
+     "them"},
     {"CircleBesideRoot",
      "<robot name='r'><link name='o'/><link name='a'/><joint name='j' type='fixed'><parent link='a'/><child "
      "link='a'/></joint></robot>",
@@ -84,7 +87,8 @@ const Case cases[] = {
      "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent link='a'/><child "
      "link='b'/></joint>"
      "\n<joint name='k' type='fixed'><parent link='a'/><child link='b'/></joint></robot>",
-     "robot.urdf:2: link 'b' is the child of two joints, 'j' and 'k'; a URDF has trees alone; remedy: remove one of them"},
+     "robot.urdf:2: link 'b' is the child of two joints, 'j' and 'k'; a URDF has trees alone; remedy: remove one of "
+     "them"},
     {"ShapeOutsideGeometry", "<robot name='r'><link name='a'><collision><box size='1 1 1'/></collision></link></robot>",
      "<collision> has no geometry"},
 };
@@ -122,16 +126,18 @@ TEST(LoadUrdfErrors, NumbersThatAreNone) {
 }
 
 TEST(LoadUrdfErrors, GeometryIsNeverDropped) {
-    EXPECT_THAT(refusal_of_geometry("<ellipsoid/>"), HasSubstr("robot.urdf:2: unknown geometry <ellipsoid>; known: box, capsule, cylinder, mesh, sphere, "
+    EXPECT_THAT(refusal_of_geometry("<ellipsoid/>"),
+                HasSubstr("robot.urdf:2: unknown geometry <ellipsoid>; known: box, capsule, cylinder, mesh, sphere, "
                           "drake:ellipsoid, plane; remedy: one of these, or a mesh"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='1'/>", "<origin quat_xyzw='0 0 0 0'/>"),
                 HasSubstr("is no quaternion of four numbers"));
 }
 
 TEST(LoadUrdfErrors, BrokenUtf16) {
-    EXPECT_THAT(refusal(std::string("\xFF\xFE<\0r\0\0\xD8>\0", 10)),
-                HasSubstr("/none/robot.urdf:1: is no valid UTF-16: half a character; remedy: get the file once more, not "
-                          "through a text conversion"));
+    EXPECT_THAT(
+        refusal(std::string("\xFF\xFE<\0r\0\0\xD8>\0", 10)),
+        HasSubstr("/none/robot.urdf:1: is no valid UTF-16: half a character; remedy: get the file once more, not "
+                  "through a text conversion"));
 }
 
 TEST(LoadUrdfErrors, DeepNestingIsRefusedNotFatal) {

@@ -7,8 +7,8 @@
 #include <foam/robot/robot.hpp>
 
 #include <fstream>
-#include <map>
 #include <iterator>
+#include <map>
 
 namespace foam::test {
 namespace {
@@ -120,10 +120,11 @@ TEST(LoadUrdfTolerance, Utf16AndUtf32) {
     for (const std::size_t width : {2U, 4U}) {
         for (const bool big : {false, true}) {
             const std::string name = width == 2 ? "UTF-16" : "UTF-32";
-            for (const std::u32string& start :
-                 {std::u32string(U"\uFEFF<?xml version='1.0' encoding='UTF-16'"),
-                  std::u32string(U"\uFEFF<?xml version='1.0' encoding='utf-8'"), std::u32string(U"\uFEFF<?xml version='1.0'"),
-                  std::u32string(U"<?xml version='1.0' encoding=\"UTF-16LE\""), std::u32string(U"<?xml version='1.0'")}) {
+            for (const std::u32string& start : {std::u32string(U"\uFEFF<?xml version='1.0' encoding='UTF-16'"),
+                                                std::u32string(U"\uFEFF<?xml version='1.0' encoding='utf-8'"),
+                                                std::u32string(U"\uFEFF<?xml version='1.0'"),
+                                                std::u32string(U"<?xml version='1.0' encoding=\"UTF-16LE\""),
+                                                std::u32string(U"<?xml version='1.0'")}) {
                 const std::string quote = start.find(U'"') != start.npos ? "\"" : "'";
                 const std::string declared =
                     start.find(U"encoding") == start.npos ? "" : " encoding=" + quote + "UTF-8" + quote;
@@ -133,7 +134,10 @@ TEST(LoadUrdfTolerance, Utf16AndUtf32) {
                 EXPECT_THAT(one.warnings,
                             ElementsAre("/none/robot.urdf:1: the text is " + name +
                                         ", which ROS cannot read; what foam writes of it is UTF-8; remedy: iconv -f " +
-                                        name + (start[0] == U'\uFEFF' ? "" : big ? "BE" : "LE") +
+                                        name +
+                                        (start[0] == U'\uFEFF' ? ""
+                                         : big                 ? "BE"
+                                                               : "LE") +
                                         " -t UTF-8, and encoding=\"UTF-8\""));
             }
         }
@@ -142,9 +146,10 @@ TEST(LoadUrdfTolerance, Utf16AndUtf32) {
                         "<robot name='r'><link name='a'/></robot>")
                   .robot.links.size(),
               1);
-    EXPECT_THAT(loaded("<?xml version='1.0' encoding='UTF-16'?>\n<robot name='\xC3\xA9'><link name='a'/></robot>").warnings,
-                ElementsAre("/none/robot.urdf:1: the text is UTF-8, and not 'utf-16' as it says; remedy: "
-                            "encoding=\"UTF-8\""));
+    EXPECT_THAT(
+        loaded("<?xml version='1.0' encoding='UTF-16'?>\n<robot name='\xC3\xA9'><link name='a'/></robot>").warnings,
+        ElementsAre("/none/robot.urdf:1: the text is UTF-8, and not 'utf-16' as it says; remedy: "
+                    "encoding=\"UTF-8\""));
 }
 
 /// Returns the warnings of several roots, and checks where the links are.
@@ -161,18 +166,20 @@ std::vector<std::string> warnings_of_roots(const std::string& text, const std::s
 }
 
 TEST(LoadUrdfTolerance, SeveralRoots) {
-    const std::string joint = "<joint name='j' type='fixed'><origin xyz='0 0 1'/><parent link='b'/><child link='c'/></joint>";
-    EXPECT_THAT(warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='b'/><link name='c'/>" + joint +
-                                      "</robot>",
-                                  "a", {{"a", 0}, {"b", 0}, {"c", 1}}),
-                ElementsAre("/none/robot.urdf:3: no joint leads to link 'b', nor to 'a'; read as fixed to 'a' with "
-                            "equal frames, as MuJoCo places them; ROS refuses several roots; remedy: a fixed joint "
-                            "from 'a' to 'b'"));
-    EXPECT_THAT(warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='world'/><link name='c'/>\n"
-                                  "<joint name='a_to_c' type='fixed'><parent link='world'/><child link='a'/></joint>"
-                                  "</robot>",
-                                  "world", {{"a", 0}, {"world", 0}, {"c", 0}}),
-                ElementsAre(HasSubstr(":3: no joint leads to link 'c', nor to 'world'; read as fixed to 'world' with")));
+    const std::string joint =
+        "<joint name='j' type='fixed'><origin xyz='0 0 1'/><parent link='b'/><child link='c'/></joint>";
+    EXPECT_THAT(
+        warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='b'/><link name='c'/>" + joint + "</robot>",
+                          "a", {{"a", 0}, {"b", 0}, {"c", 1}}),
+        ElementsAre("/none/robot.urdf:3: no joint leads to link 'b', nor to 'a'; read as fixed to 'a' with "
+                    "equal frames, as MuJoCo places them; ROS refuses several roots; remedy: a fixed joint "
+                    "from 'a' to 'b'"));
+    EXPECT_THAT(
+        warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='world'/><link name='c'/>\n"
+                          "<joint name='a_to_c' type='fixed'><parent link='world'/><child link='a'/></joint>"
+                          "</robot>",
+                          "world", {{"a", 0}, {"world", 0}, {"c", 0}}),
+        ElementsAre(HasSubstr(":3: no joint leads to link 'c', nor to 'world'; read as fixed to 'world' with")));
     EXPECT_THAT(loaded("<robot name='r'><link name='a'/><link name='b'/><link name='c'/></robot>").warnings,
                 ElementsAre(HasSubstr("no joint leads to link 'b' and 1 more, nor to 'a'")));
     const Loaded named = loaded("<robot name='r'><link name='a'/><link name='b'/><link name='c'/><joint name='a_to_c' "
@@ -258,11 +265,13 @@ TEST(LoadUrdfTolerance, Joints) {
     const Loaded variable = with_joint("<origin xyz='$(optenv IMU_XYZ 0.19 0 0.149)'/>");
     EXPECT_EQ(variable.robot.joints.at(0).origin.translation, (Vec3{0.19, 0, 0.149}));
     EXPECT_THAT(variable.warnings, ElementsAre(HasSubstr("is read as \"0.19 0 0.149\"; remedy: run xacro first")));
-    const Loaded shouted = loaded("<robot name='r'><link name='a'/><link name='b'/>\n<joint name='j' type='Revolute'><parent "
-                                  "link='a'/><child link='b'/></joint></robot>");
+    const Loaded shouted =
+        loaded("<robot name='r'><link name='a'/><link name='b'/>\n<joint name='j' type='Revolute'><parent "
+               "link='a'/><child link='b'/></joint></robot>");
     EXPECT_EQ(shouted.robot.joints.at(0).kind, Joint::Kind::revolute);
-    EXPECT_THAT(shouted.warnings, ElementsAre("/none/robot.urdf:2: <joint type=\"Revolute\"> is read as revolute; remedy: "
-                                              "type=\"revolute\""));
+    EXPECT_THAT(shouted.warnings,
+                ElementsAre("/none/robot.urdf:2: <joint type=\"Revolute\"> is read as revolute; remedy: "
+                            "type=\"revolute\""));
     const Loaded world = loaded("<robot name='r'><link name='a'/><joint name='j' type='fixed'>\n<parent link='world'/>"
                                 "<child link='a'/></joint></robot>");
     EXPECT_EQ(world.robot.root, "world");
@@ -333,6 +342,14 @@ TEST_F(LoadUrdfReferences, AMissingMeshIsForThoseWhoNeedIt) {
                                         "tried:\n  /none/pkg/a.stl\n  /pkg/a.stl"));
     EXPECT_THAT(mesh.problem, HasSubstr("\nremedy: --package pkg=FOLDER, where FOLDER is the package, or "
                                         "FOAM_PACKAGE_PATH=FOLDER, where FOLDER/pkg is it"));
+}
+
+TEST_F(LoadUrdfReferences, AXacroExpressionIsAMissingMesh) {
+    const Loaded robot = loaded("<robot name='r'><link name='a'>\n<collision><geometry><mesh "
+                                "filename='$(arg folder)/a.stl'/></geometry></collision></link></robot>");
+    EXPECT_EQ(std::get<MeshReference>(robot.robot.links.at(0).collisions.at(0).geometry).problem,
+              "/none/robot.urdf:2: mesh '$(arg folder)/a.stl' of link 'a' is not found; it is a xacro expression; "
+              "remedy: run xacro first: xacro IN.xacro > OUT.urdf");
 }
 
 TEST(LoadUrdfTolerance, CasesOfTheField) {

@@ -31,11 +31,15 @@ json row(const Vec3& v) {
 /// Returns the sizes as a URDF has them: edges of a box, radius and length of what is round.
 json sizes_of(const Element& element) {
     switch (element.kind) {
-    case Element::Kind::sphere: return {element.radius};
+    case Element::Kind::sphere:
+        return {element.radius};
     case Element::Kind::cylinder:
-    case Element::Kind::capsule: return {element.radius, 2 * element.half.z};
-    case Element::Kind::box: return row(element.half * 2);
-    default: return row(element.half);
+    case Element::Kind::capsule:
+        return {element.radius, 2 * element.half.z};
+    case Element::Kind::box:
+        return row(element.half * 2);
+    default:
+        return row(element.half);
     }
 }
 
@@ -43,8 +47,8 @@ json part_of(const GeometryElement& element) {
     const auto* mesh = std::get_if<MeshReference>(&element.geometry);
     json part{{"line", element.line},
               {"xyz", row(element.origin.translation)},
-              {"rotation", {row(element.origin.rotation[0]), row(element.origin.rotation[1]),
-                            row(element.origin.rotation[2])}}};
+              {"rotation",
+               {row(element.origin.rotation[0]), row(element.origin.rotation[1]), row(element.origin.rotation[2])}}};
     if (mesh) {
         part.update({{"kind", "mesh"}, {"sizes", row(mesh->scale)}, {"file", mesh->path.string()}, {"uri", mesh->uri}});
     } else {

@@ -22,7 +22,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-LIMIT = 120  # seconds for a file
+LIMIT = 60  # seconds for a file
 
 
 def part(kind, sizes, position=None, rotation=None):
@@ -82,12 +82,11 @@ def read_pinocchio(file):
 
 
 def read_pybullet(file):
-    """Returns links and collision elements as PyBullet has them: in single precision, meshes in pieces, no repetition
-    of what is the same."""
+    """Returns links and collision elements as PyBullet has them, in single precision."""
     import numpy
     import pybullet
     pybullet.connect(pybullet.DIRECT)
-    body = pybullet.loadURDF(file, flags=pybullet.URDF_USE_INERTIA_FROM_FILE)
+    body = pybullet.loadURDF(file, flags=pybullet.URDF_USE_IMPLICIT_CYLINDER)  # else a mesh
     kinds = {pybullet.GEOM_BOX: "box", pybullet.GEOM_SPHERE: "sphere", pybullet.GEOM_CYLINDER: "cylinder",
              pybullet.GEOM_CAPSULE: "capsule", pybullet.GEOM_MESH: "mesh", pybullet.GEOM_PLANE: "plane"}
     links = {}
@@ -109,7 +108,8 @@ def read_mujoco(file):
     """Returns the collision elements as MuJoCo has them: links that do not move are one body, so names are lost."""
     import mujoco
     model = mujoco.MjModel.from_xml_path(file)
-    kinds = {mujoco.mjtGeom.mjGEOM_BOX: ("box", lambda s: 2 * s), mujoco.mjtGeom.mjGEOM_SPHERE: ("sphere", lambda s: s[:1]),
+    kinds = {mujoco.mjtGeom.mjGEOM_BOX: ("box", lambda s: 2 * s),
+             mujoco.mjtGeom.mjGEOM_SPHERE: ("sphere", lambda s: s[:1]),
              mujoco.mjtGeom.mjGEOM_CYLINDER: ("cylinder", lambda s: [s[0], 2 * s[1]]),
              mujoco.mjtGeom.mjGEOM_CAPSULE: ("capsule", lambda s: [s[0], 2 * s[1]])}
     parts = []
@@ -179,8 +179,21 @@ def is_nothing(one):
     return one["kind"] == "nothing" or (one["kind"] != "mesh" and not any(one["sizes"]))
 
 
-def differences_of_parts(name, ours, theirs, tolerance):
+def known_cause(reader, name, ours, theirs, warnings):
+    """Returns why a reader has fewer collision elements of a link; nothing if no cause is known."""
+    stop = f"Could not parse inertial element for Link [{name}]"
+    if reader == "pinocchio" and any(stop in text for text in warnings):
+        return "urdfdom stops reading a link at a wrong inertial"
+    for kind, cause in (("capsule", "urdfdom reads no capsules in version 1.0"), ("mesh", "a mesh is not found")):
+        others = [one["kind"] for one in ours if one["kind"] != kind]
+        if len(others) < len(ours) and others == [one["kind"] for one in theirs]:
+            return cause
+    return None
+
+
+def differences_of_parts(reader, name, ours, theirs, warnings):
     """Returns the differences of a link's collision elements, with the known ones in brackets."""
+    tolerance = 1e-5 if reader == "pybullet" else 1e-9
     result = []
     nothing = [one for one in theirs if is_nothing(one)]
     if nothing:
@@ -191,9 +204,13 @@ def differences_of_parts(name, ours, theirs, tolerance):
         result.append(f"[{name}: a plane]")
         theirs = [one for one in theirs if one["kind"] != "plane"]
     if len(ours) != len(theirs):
-        return [*result, f"{name}: {len(ours)} parts against {len(theirs)}"]
+        cause = known_cause(reader, name, ours, theirs, warnings)
+        return [*result, f"[{name}: {cause}]" if cause else f"{name}: {len(ours)} parts against {len(theirs)}"]
     for index, (one, other) in enumerate(zip(ours, theirs)):
         place = f"{name}/{index}"
+        if reader == "pinocchio" and [one["kind"], other["kind"]] == ["cylinder", "capsule"]:
+            result.append(f"[{place}: a cylinder that <collision_checking> makes a capsule]")
+            continue
         if one["kind"] != other["kind"]:
             result.append(f"{place}: {one['kind']} against {other['kind']}")
             continue
@@ -218,10 +235,9 @@ def differences(reader, ours, theirs):
     for name in [name for name in mine if name not in others]:
         result.append(f"[{name}: implicit]" if name == "world" else f"link {name} only in foam")
     result += [f"link {name} only in {reader}" for name in others if name not in mine]
-    tolerance = 1e-5 if reader == "pybullet" else 1e-9
     for name in mine:
         if others.get(name) is not None:
-            result += differences_of_parts(name, mine[name], others[name], tolerance)
+            result += differences_of_parts(reader, name, mine[name], others[name], ours["warnings"])
     return result
 
 

@@ -51,9 +51,12 @@ private:
         case XML_ERROR_NO_ELEMENTS:
         case XML_ERROR_UNCLOSED_TOKEN:
             return "; the file ends too early; remedy: get the whole file, or close what is open";
-        case XML_ERROR_TAG_MISMATCH: return "; remedy: close each <NAME> by </NAME>, the inner ones first";
-        case XML_ERROR_DUPLICATE_ATTRIBUTE: return "; remedy: keep one";
-        default: return "";
+        case XML_ERROR_TAG_MISMATCH:
+            return "; remedy: close each <NAME> by </NAME>, the inner ones first";
+        case XML_ERROR_DUPLICATE_ATTRIBUTE:
+            return "; remedy: keep one";
+        default:
+            return "";
         }
     }
     static void on_start(void* self, const XML_Char* name, const XML_Char** attributes) {
