@@ -66,7 +66,8 @@ Vec3 read_scale(const xml::Element& element, const Reader& reader) {
 }
 
 MeshReference read_mesh(const xml::Element& element, const Reader& reader) {
-    MeshReference mesh{.uri = reader.required(element, "filename"), .path = {}};
+    const std::string* file = element.attribute("filename"); // a xacro expression is a mesh that is not found
+    MeshReference mesh{.uri = file && !file->empty() ? *file : reader.required(element, "filename"), .path = {}};
     mesh.scale = read_scale(element, reader);
     if (mesh.scale.x == 0 || mesh.scale.y == 0 || mesh.scale.z == 0) {
         reader.fail(element, fmt::format("<mesh scale=\"{}\"> of '{}' flattens the mesh to nothing: no factor may be 0",
@@ -112,14 +113,26 @@ std::optional<Geometry> read_shape(const xml::Element& shape, const Reader& read
         return read_primitive(shape, reader);
     }
     reader.fail(shape, fmt::format("unknown geometry <{}>; known: box, capsule, cylinder, mesh, sphere, "
-                                   "drake:ellipsoid, plane",
+                                   "drake:ellipsoid, plane; remedy: one of these, or a mesh",
                                    shape.name));
+}
+
+/// Returns whether nothing in an element could be meant as its geometry.
+bool is_empty(const xml::Element& element, const xml::Element* geometry) {
+    return (!geometry || geometry->children.empty()) &&
+           std::all_of(element.children.begin(), element.children.end(), [](const auto& child) {
+               return child->name == "geometry" || child->name == "origin" || child->name == "material";
+           });
 }
 
 } // namespace
 
 std::optional<GeometryElement> read_geometry_element(const xml::Element& element, const Reader& reader) {
     const xml::Element* geometry = reader.only_child(element, "geometry");
+    if (is_empty(element, geometry)) {
+        reader.warn(element, fmt::format("a <{}> without geometry is left out; remedy: remove it", element.name));
+        return {};
+    }
     if (!geometry || geometry->children.empty()) {
         reader.fail(element, fmt::format("<{}> has no geometry", element.name));
     }

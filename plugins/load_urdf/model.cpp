@@ -17,8 +17,10 @@ using Names = std::map<std::string, const xml::Element*>;
 void require_new(Names& names, const std::string& name, const xml::Element& element, const Reader& reader) {
     const auto [it, added] = names.emplace(name, &element);
     if (!added) {
-        reader.fail(element,
-                    fmt::format("a second {} '{}'; the first is in line {}", element.name, name, it->second->line));
+        reader.fail(
+            element,
+            fmt::format("a second {} '{}'; the first is in line {}; remedy: give it another name, or remove one",
+                        element.name, name, it->second->line));
     }
 }
 
@@ -61,10 +63,27 @@ Joint::Kind read_joint_kind(const xml::Element& element, const Reader& reader) {
         if (type == name) {
             return kind;
         }
+        if (lower_case(type) == name) {
+            reader.warn(element,
+                        fmt::format("<joint type=\"{}\"> is read as {}; remedy: type=\"{}\"", type, name, name));
+            return kind;
+        }
     }
     reader.fail(
         element,
         fmt::format("unknown joint type '{}'; known: fixed, revolute, continuous, prismatic, planar, floating", type));
+}
+
+/// Returns what to do about a name that no link has.
+std::string remedy_for_link(const std::string& link, const Names& links) {
+    std::vector<std::string> known;
+    std::string near;
+    for (const auto& [other, place] : links) {
+        known.push_back(other);
+        near = words(other) == words(link) ? other : near; // blanks around it
+    }
+    near = near.empty() ? nearest_word(link, known) : near;
+    return near.empty() ? fmt::format("remedy: <link name=\"{}\"/>", link) : fmt::format("did you mean '{}'?", near);
 }
 
 std::string read_joint_end(const xml::Element& joint, const char* tag, const Names& links, const Reader& reader) {
@@ -75,8 +94,8 @@ std::string read_joint_end(const xml::Element& joint, const char* tag, const Nam
     }
     const std::string& link = reader.required(*end, "link");
     if (!links.contains(link)) {
-        reader.fail(*end, fmt::format("joint '{}' names link '{}' as {}, but there is no such link", name ? *name : "",
-                                      link, tag));
+        reader.fail(*end, fmt::format("joint '{}' names link '{}' as {}, but there is no such link; {}",
+                                      name ? *name : "", link, tag, remedy_for_link(link, links)));
     }
     return link;
 }
@@ -196,15 +215,46 @@ std::map<std::string, const Joint*> joints_above(const Robot& robot, const Names
     for (const Joint& joint : robot.joints) {
         const auto [it, added] = result.emplace(joint.child, &joint);
         if (!added) {
-            reader.fail(*joints.at(joint.name), fmt::format("link '{}' is the child of two joints, '{}' and '{}'",
+            reader.fail(*joints.at(joint.name), fmt::format("link '{}' is the child of two joints, '{}' and '{}'; a "
+                                                            "URDF has trees alone; remedy: remove one of them",
                                                             joint.child, it->second->name, joint.name));
         }
     }
     return result;
 }
 
-/// Finds the link that is not a joint's child. Links and joints must form one tree below it.
-void find_root(Robot& robot, const xml::Element& element, const Names& joints, const Reader& reader) {
+/// Returns a name that no joint has.
+std::string new_joint_name(const Robot& robot, const std::string& wanted) {
+    std::string name = wanted;
+    const auto taken = [&](const Joint& joint) { return joint.name == name; };
+    for (int i = 2; std::any_of(robot.joints.begin(), robot.joints.end(), taken); ++i) {
+        name = fmt::format("{}_{}", wanted, i);
+    }
+    return name;
+}
+
+/// Fixes the other roots to the first one, or to the link "world", with equal frames, as MuJoCo places them.
+void join_roots(Robot& robot, std::vector<std::string> roots, const Names& links, const Reader& reader) {
+    const auto world = std::find(roots.begin(), roots.end(), "world");
+    robot.root = world == roots.end() ? roots.front() : *world;
+    std::erase(roots, robot.root);
+    for (const std::string& root : roots) {
+        robot.joints.push_back({.name = new_joint_name(robot, robot.root + "_to_" + root),
+                                .kind = Joint::Kind::fixed,
+                                .parent = robot.root,
+                                .child = root,
+                                .origin = {}});
+    }
+    const std::string others = roots.size() == 1 ? "" : fmt::format(" and {} more", roots.size() - 1);
+    reader.warn(
+        *links.at(roots.front()),
+        fmt::format("no joint leads to link '{0}'{1}, nor to '{2}'; read as fixed to '{2}' with equal frames, as "
+                    "MuJoCo places them; ROS refuses several roots; remedy: a fixed joint from '{2}' to '{0}'",
+                    roots.front(), others, robot.root));
+}
+
+/// Finds the link that is not a joint's child. Links and joints must form trees.
+void find_root(Robot& robot, const Names& links, const Names& joints, const Reader& reader) {
     const std::map<std::string, const Joint*> above = joints_above(robot, joints, reader);
     std::vector<std::string> roots;
     for (const Link& link : robot.links) {
@@ -212,17 +262,23 @@ void find_root(Robot& robot, const xml::Element& element, const Names& joints, c
             roots.push_back(link.name);
         }
     }
-    if (roots.size() > 1) {
-        reader.fail(element, fmt::format("links '{}' and '{}' are both no joint's child ({} such links in all); join "
-                                         "them to one tree",
-                                         roots[0], roots[1], roots.size()));
+    std::map<std::string, std::string> joint_above; // by name: the robot gets joints
+    for (const auto& [link, joint] : above) {
+        joint_above[link] = joint->name;
     }
-    robot.root = roots.empty() ? "" : roots.front();
+    if (roots.size() > 1) {
+        join_roots(robot, roots, links, reader);
+    } else {
+        robot.root = roots.empty() ? "" : roots.front();
+    }
     const std::map<std::string, Pose> reached = link_poses(robot);
     for (const Link& link : robot.links) {
         if (!reached.contains(link.name) || roots.empty()) {
-            reader.fail(*joints.at(above.at(link.name)->name),
-                        fmt::format("the joints go round in a circle through link '{}'", link.name));
+            reader.fail(
+                *joints.at(joint_above.at(link.name)),
+                fmt::format("the joints go round in a circle through link '{}'; a URDF has trees alone; remedy: "
+                            "remove one of them",
+                            link.name));
         }
     }
 }
@@ -244,14 +300,14 @@ Robot read_robot(const xml::Element& root, const std::string& name, const Reader
         require_new(links, robot.links.back().name, *element, reader);
     }
     if (robot.links.empty()) {
-        reader.fail(root, "the robot has no links");
+        reader.fail(root, "the robot has no links; remedy: a <link>, or of a file of macros the file that uses them");
     }
     add_implicit_world(robot, links, root, reader);
     for (const xml::Element* element : root.children_named("joint")) {
         robot.joints.push_back(read_joint(*element, links, reader));
         require_new(joints, robot.joints.back().name, *element, reader);
     }
-    find_root(robot, root, joints, reader);
+    find_root(robot, links, joints, reader);
     return robot;
 }
 

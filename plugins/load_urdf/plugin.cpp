@@ -19,6 +19,9 @@ std::string explain(const GeometryElement& element, const Link& link, const std:
                     const ResolvedResource& resource, const std::string& label) {
     std::string text = fmt::format("{}:{}: mesh '{}' of link '{}' is not found", label, element.line, shown(uri),
                                    shown(link.name));
+    if (is_xacro_expression(uri)) {
+        return text + "; it is a xacro expression; remedy: run xacro first: xacro IN.xacro > OUT.urdf";
+    }
     if (resource.tried.empty()) {
         text += "; references are package://PACKAGE/FILE, model://, file:// or a path";
     } else {
@@ -40,7 +43,7 @@ public:
     explicit UrdfLoader(bool lenient) : lenient_(lenient) {}
     explicit UrdfLoader(const Parameters& parameters) : UrdfLoader(parameters.boolean("lenient")) {}
 
-    bool recognises(std::string_view text) const override { return xml::root_name(text) == "robot"; }
+    bool recognises(std::string_view text) const override { return root_name_of(text) == "robot"; }
 
     Robot load(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
                Context& context) const override {
@@ -48,9 +51,10 @@ public:
     }
 
     /// Returns the robot of a text whose lines messages name by `label`.
-    Robot load_labelled(const std::string& text, const std::string& label, const std::filesystem::path& file,
+    Robot load_labelled(const std::string& given, const std::string& label, const std::filesystem::path& file,
                         const ResourceResolver& resources, Context& context) const {
         const Reader reader(label, lenient_);
+        const std::string text = utf8_text(given, reader);
         std::vector<xml::Fault> faults;
         const auto root = xml::parse_leniently(text, reader.label(), ErrorCode::input, faults);
         for (const xml::Fault& fault : faults) {

@@ -32,8 +32,8 @@ std::string Reader::place(const xml::Element& element) const {
     return fmt::format("{}:{}", label_, element.line);
 }
 
-void Reader::fail(const xml::Element& element, const std::string& what) const {
-    throw Error(ErrorCode::input, fmt::format("{}: {}", place(element), shown(what)));
+void Reader::fail(int line, const std::string& what) const {
+    throw Error(ErrorCode::input, fmt::format("{}:{}: {}", label_, line, shown(what)));
 }
 
 void Reader::warn(int line, const std::string& what) const {
@@ -69,7 +69,10 @@ double Reader::parse(const xml::Element& element, std::string_view attribute, st
     if (const std::optional<double> value = parse_number(text)) {
         return *value;
     }
-    fail(element, fmt::format("<{} {}>: '{}' is not a finite number", element.name, attribute, text));
+    std::string point(text);
+    std::replace(point.begin(), point.end(), ',', '.');
+    const std::string remedy = parse_number(point) ? "; remedy: " + point : "";
+    fail(element, fmt::format("<{} {}>: '{}' is not a finite number{}", element.name, attribute, text, remedy));
 }
 
 bool Reader::is_empty(const xml::Element& element, std::string_view attribute) const {

@@ -30,7 +30,8 @@ public:
     /// Returns "file:line".
     std::string place(const xml::Element& element) const;
     /// Throws Error(input) "file:line: what".
-    [[noreturn]] void fail(const xml::Element& element, const std::string& what) const;
+    [[noreturn]] void fail(const xml::Element& element, const std::string& what) const { fail(element.line, what); }
+    [[noreturn]] void fail(int line, const std::string& what) const;
 
     /// Returns the attribute's text. Fails if it is absent or empty.
     const std::string& required(const xml::Element& element, std::string_view attribute) const;
@@ -58,6 +59,12 @@ private:
 
 /// Returns whether the text has an expression that xacro has not replaced: "${...}" or "$(...)".
 bool is_xacro_expression(std::string_view text);
+
+/// Returns the text as UTF-8 if it is UTF-16 or UTF-32, with the declaration to match and a warning; else unchanged.
+/// Fails if it is not valid.
+std::string utf8_text(std::string_view text, const Reader& reader);
+/// Returns the name of the root element of a text in any of these encodings; empty if it does not begin like XML.
+std::string root_name_of(std::string_view text);
 
 /// Returns the element with its pose and geometry; mesh paths are not resolved yet. Supports all shapes of the URDF
 /// specification, and capsules (Bullet, Drake, MuJoCo: `length` without the caps). Returns nothing, with a warning, for

@@ -93,7 +93,7 @@ SphereReader::SphereReader(const Parameters&, const StageMaker& maker)
 
 bool SphereReader::recognises(std::string_view text) const {
     // An SRDF also begins with <robot>.
-    return xml::root_name(text) == "robot" && text.find("<link_sphere_approximation") == text.npos;
+    return root_name_of(text) == "robot" && text.find("<link_sphere_approximation") == text.npos;
 }
 
 SphereFile SphereReader::read(const std::string& text, const std::filesystem::path& file, Context& context) const {

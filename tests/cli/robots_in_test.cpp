@@ -240,5 +240,29 @@ TEST_F(RobotsIn, UsdNeedsAPythonThatReadsIt) {
     EXPECT_THAT(no_python.err, HasSubstr("'/none/python' cannot be started (No such file or directory); remedy: pip"));
 }
 
+TEST_F(RobotsIn, Utf16ComesBackAsUtf8) {
+    const std::string start = "<?xml version='1.0' encoding='",
+                      middle = "'?>\n<robot name='r'>\n<!-- kept -->\n<link name='a'>", end = "</link>\n</robot>\n";
+    const std::string collision = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
+    for (const std::string& mark : {std::string("\xFF\xFE"), std::string()}) {
+        std::string wide = mark;
+        for (const char c : start + "UTF-16" + middle + collision + end) {
+            wide += c;
+            wide += '\0';
+        }
+        write("wide.urdf", wide);
+        const Outcome outcome = foam("spherize wide.urdf -n 6 -m octree -o wide.urdf --force");
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_THAT(outcome.err,
+                    HasSubstr("the text is UTF-16, which ROS cannot read; what foam writes of it is UTF-8"));
+        const std::string after = contents(path() / "wide.urdf");
+        EXPECT_TRUE(after.starts_with(start + "UTF-8" + middle + "<collision>")) << after;
+        EXPECT_TRUE(after.ends_with("</collision>" + end)) << after;
+        EXPECT_EQ(foam("evaluate wide.urdf wide.urdf").code, 0);
+        write("wide.urdf", wide);
+        EXPECT_EQ(foam("evaluate wide.urdf wide.urdf").code, 0) << "as a model, too";
+    }
+}
+
 } // namespace
 } // namespace foam::test

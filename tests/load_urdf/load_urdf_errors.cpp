@@ -38,8 +38,16 @@ void PrintTo(const Case& value, std::ostream* stream) {
 const Case cases[] = {
     {"Empty", "", "/none/robot.urdf:1:1: XML: no element found"},
     {"NotXml", "solid\nfacet", "/none/robot.urdf:1:1: XML: syntax error"},
-    {"Unclosed", "<robot name='r'>\n<link name='a'>\n</robot>", "/none/robot.urdf:3:3: XML: mismatched tag"},
-    {"Utf16", "\xFF\xFE<", "is UTF-16; convert it first"},
+    {"Unclosed", "<robot name='r'>\n<link name='a'>\n</robot>",
+     "/none/robot.urdf:3:3: XML: mismatched tag; remedy: close each <NAME> by </NAME>, the inner ones first"},
+    {"CutShort", "<robot name='r'>\n<link name='a'/>\n",
+     "/none/robot.urdf:3:1: XML: no element found; the file ends too early; remedy: get the whole file, or close what "
+     "is open"},
+    {"LessInValue", "<robot name='a<b'/>",
+     "/none/robot.urdf:1:15: XML: not well-formed (invalid token); remedy: values in quotes, a blank between "
+     "attributes, &lt; for '<' in a value, no control characters"},
+    {"SameAttributeTwice", "<robot name='r' name='s'/>",
+     "/none/robot.urdf:1:17: XML: duplicate attribute; remedy: keep one"},
     {"OwnEntity", "<!DOCTYPE robot [<!ENTITY l '<link/>'>]><robot name='r'>&l;</robot>", "an entity of its own, 'l'"},
     {"Sdf", "<sdf/>", "robot.urdf:1: this is an SDF file, not a URDF"},
     {"OtherRoot", "<model/>", "the root element of a URDF is <robot>, not <model>"},
@@ -47,26 +55,30 @@ const Case cases[] = {
      "robot.urdf:2: <xacro:arg>: this is a xacro file; run xacro first"},
     {"XacroExpression", "<robot name='r'>\n<link name='${prefix}a'/></robot>",
      "robot.urdf:2: <link name=\"${prefix}a\"> is a xacro"},
-    {"NoLinks", "<robot name='r'/>", "the robot has no links"},
+    {"NoLinks", "<robot name='r'/>",
+     "the robot has no links; remedy: a <link>, or of a file of macros the file that uses them"},
     {"LinkWithoutName", "<robot name='r'>\n\n<link/></robot>", "robot.urdf:3: <link> has no name"},
     {"SameLinkTwice", "<robot name='r'>\n<link name='a'/>\n<link name='a'/></robot>",
-     "robot.urdf:3: a second link 'a'; the first is in line 2"},
+     "robot.urdf:3: a second link 'a'; the first is in line 2; remedy: give it another name, or remove one"},
     {"UnknownParent",
      "<robot name='r'><link name='a'/><joint name='j' type='fixed'>\n<parent link='b'/><child "
      "link='a'/></joint></robot>",
-     "robot.urdf:2: joint 'j' names link 'b' as parent, but there is no such link"},
+     "robot.urdf:2: joint 'j' names link 'b' as parent, but there is no such link; did you mean 'a'?"},
+    {"NameWithBlanks",
+     "<robot name='r'><link name=' base '/><link name='a'/><joint name='j' type='fixed'>\n<parent link='base'/><child "
+     "link='a'/></joint></robot>",
+     "robot.urdf:2: joint 'j' names link 'base' as parent, but there is no such link; did you mean ' base '?"},
     {"JointWithoutChild",
      "<robot name='r'><link name='a'/><joint name='j' type='fixed'><parent link='a'/></joint></robot>",
      "joint 'j' has no <child>"},
     {"UnknownJointType", "<robot name='r'><link name='a'/><joint name='j' type='ball'/></robot>",
      "unknown joint type 'ball'"},
-    {"TwoRoots", "<robot name='r'><link name='a'/><link name='b'/></robot>",
-     "links 'a' and 'b' are both no joint's child"},
     {"Circle",
      "<robot name='r'><link name='a'/><link name='b'/>\n<joint name='j' type='fixed'><parent link='a'/><child "
      "link='b'/></joint>"
      "\n<joint name='k' type='fixed'><parent link='b'/><child link='a'/></joint></robot>",
-     "robot.urdf:3: the joints go round in a circle through link 'a'"},
+     "robot.urdf:3: the joints go round in a circle through link 'a'; a URDF has trees alone; remedy: remove one of "
+     "them"},
     {"CircleBesideRoot",
      "<robot name='r'><link name='o'/><link name='a'/><joint name='j' type='fixed'><parent link='a'/><child "
      "link='a'/></joint></robot>",
@@ -75,8 +87,10 @@ const Case cases[] = {
      "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent link='a'/><child "
      "link='b'/></joint>"
      "\n<joint name='k' type='fixed'><parent link='a'/><child link='b'/></joint></robot>",
-     "robot.urdf:2: link 'b' is the child of two joints, 'j' and 'k'"},
-    {"EmptyCollision", "<robot name='r'><link name='a'><collision/></link></robot>", "<collision> has no geometry"},
+     "robot.urdf:2: link 'b' is the child of two joints, 'j' and 'k'; a URDF has trees alone; remedy: remove one of "
+     "them"},
+    {"ShapeOutsideGeometry", "<robot name='r'><link name='a'><collision><box size='1 1 1'/></collision></link></robot>",
+     "<collision> has no geometry"},
 };
 
 class LoadUrdfRefuses : public testing::TestWithParam<Case> {};
@@ -94,7 +108,7 @@ TEST(LoadUrdfErrors, NumbersThatAreNone) {
     EXPECT_THAT(refusal_of_geometry("<sphere/>"), HasSubstr("<sphere> has no radius"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='big'/>"), HasSubstr("'big' is not a finite number"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='nan'/>"), HasSubstr("'nan' is not a finite number"));
-    EXPECT_THAT(refusal_of_geometry("<sphere radius='0,5'/>"), HasSubstr("'0,5' is not a finite number"));
+    EXPECT_THAT(refusal_of_geometry("<sphere radius='0,5'/>"), HasSubstr("'0,5' is not a finite number; remedy: 0.5"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='1e999'/>"), HasSubstr("'1e999' is not a finite number"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='  '/>"), HasSubstr("is not a finite number"));
     EXPECT_THAT(refusal_of_geometry("<cylinder radius='1' length='-2'/>"),
@@ -112,9 +126,18 @@ TEST(LoadUrdfErrors, NumbersThatAreNone) {
 }
 
 TEST(LoadUrdfErrors, GeometryIsNeverDropped) {
-    EXPECT_THAT(refusal_of_geometry("<ellipsoid/>"), HasSubstr("robot.urdf:2: unknown geometry <ellipsoid>"));
+    EXPECT_THAT(refusal_of_geometry("<ellipsoid/>"),
+                HasSubstr("robot.urdf:2: unknown geometry <ellipsoid>; known: box, capsule, cylinder, mesh, sphere, "
+                          "drake:ellipsoid, plane; remedy: one of these, or a mesh"));
     EXPECT_THAT(refusal_of_geometry("<sphere radius='1'/>", "<origin quat_xyzw='0 0 0 0'/>"),
                 HasSubstr("is no quaternion of four numbers"));
+}
+
+TEST(LoadUrdfErrors, BrokenUtf16) {
+    EXPECT_THAT(
+        refusal(std::string("\xFF\xFE<\0r\0\0\xD8>\0", 10)),
+        HasSubstr("/none/robot.urdf:1: is no valid UTF-16: half a character; remedy: get the file once more, not "
+                  "through a text conversion"));
 }
 
 TEST(LoadUrdfErrors, DeepNestingIsRefusedNotFatal) {

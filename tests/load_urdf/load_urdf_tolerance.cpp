@@ -4,8 +4,11 @@
 
 #include <gmock/gmock.h>
 
+#include <foam/robot/robot.hpp>
+
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace foam::test {
 namespace {
@@ -21,7 +24,8 @@ struct Loaded {
     std::vector<std::string> warnings;
 };
 
-Loaded loaded(const std::string& text, const fs::path& file = "/none/robot.urdf") {
+/// Returns the robot of a text whose source is `source`.
+Loaded loaded_as(const std::string& text, const std::string& source, const fs::path& file = "/none/robot.urdf") {
     ListeningContext context;
     Loaded result{load_text(text, context, file), {}};
     for (const std::string& message : context.messages) {
@@ -29,8 +33,12 @@ Loaded loaded(const std::string& text, const fs::path& file = "/none/robot.urdf"
             result.warnings.push_back(message);
         }
     }
-    EXPECT_EQ(result.robot.source, text);
+    EXPECT_EQ(result.robot.source, source);
     return result;
+}
+
+Loaded loaded(const std::string& text, const fs::path& file = "/none/robot.urdf") {
+    return loaded_as(text, text, file);
 }
 
 const std::string document = "<?xml version='1.0'?>\n<robot name='r'>\n<link name='a'><collision><geometry>"
@@ -85,6 +93,108 @@ TEST(LoadUrdfTolerance, XmlThatIsNotWellFormed) {
                 ElementsAre("/none/robot.urdf:1: the text is not UTF-8; remedy: iconv -f ENCODING -t UTF-8"));
     EXPECT_THAT(loaded("<?xml version='1.0' encoding='utf8'?><robot name='\xC3\xA9'><link name='a'/></robot>").robot.name,
                 "\xC3\xA9");
+}
+
+/// Returns the text in an encoding of `width` bytes a unit.
+std::string encoded(const std::u32string& text, std::size_t width, bool big) {
+    std::string result;
+    const auto put = [&](char32_t unit) {
+        for (std::size_t i = 0; i < width; ++i) {
+            result += static_cast<char>(unit >> (8 * (big ? width - 1 - i : i)) & 0xFF);
+        }
+    };
+    for (const char32_t point : text) {
+        if (width == 2 && point > 0xFFFF) {
+            put(0xD800 + ((point - 0x10000) >> 10));
+            put(0xDC00 + ((point - 0x10000) & 0x3FF));
+        } else {
+            put(point);
+        }
+    }
+    return result;
+}
+
+TEST(LoadUrdfTolerance, Utf16AndUtf32) {
+    const std::u32string after = U"?>\n<robot name='r'>\n<link name='t\u00EAte \U0001F916'/></robot>\n";
+    const std::string body = "?>\n<robot name='r'>\n<link name='t\xC3\xAAte \xF0\x9F\xA4\x96'/></robot>\n";
+    for (const std::size_t width : {2U, 4U}) {
+        for (const bool big : {false, true}) {
+            const std::string name = width == 2 ? "UTF-16" : "UTF-32";
+            for (const std::u32string& start : {std::u32string(U"\uFEFF<?xml version='1.0' encoding='UTF-16'"),
+                                                std::u32string(U"\uFEFF<?xml version='1.0' encoding='utf-8'"),
+                                                std::u32string(U"\uFEFF<?xml version='1.0'"),
+                                                std::u32string(U"<?xml version='1.0' encoding=\"UTF-16LE\""),
+                                                std::u32string(U"<?xml version='1.0'")}) {
+                const std::string quote = start.find(U'"') != start.npos ? "\"" : "'";
+                const std::string declared =
+                    start.find(U"encoding") == start.npos ? "" : " encoding=" + quote + "UTF-8" + quote;
+                const Loaded one =
+                    loaded_as(encoded(start + after, width, big), "<?xml version='1.0'" + declared + body);
+                EXPECT_EQ(one.robot.links.at(0).name, "t\xC3\xAAte \xF0\x9F\xA4\x96");
+                EXPECT_THAT(one.warnings,
+                            ElementsAre("/none/robot.urdf:1: the text is " + name +
+                                        ", which ROS cannot read; what foam writes of it is UTF-8; remedy: iconv -f " +
+                                        name +
+                                        (start[0] == U'\uFEFF' ? ""
+                                         : big                 ? "BE"
+                                                               : "LE") +
+                                        " -t UTF-8, and encoding=\"UTF-8\""));
+            }
+        }
+    }
+    EXPECT_EQ(loaded_as(encoded(U"<robot name='r'><link name='a'/></robot>", 2, false) + "x",
+                        "<robot name='r'><link name='a'/></robot>")
+                  .robot.links.size(),
+              1);
+    EXPECT_THAT(
+        loaded("<?xml version='1.0' encoding='UTF-16'?>\n<robot name='\xC3\xA9'><link name='a'/></robot>").warnings,
+        ElementsAre("/none/robot.urdf:1: the text is UTF-8, and not 'utf-16' as it says; remedy: "
+                    "encoding=\"UTF-8\""));
+}
+
+/// Returns the warnings of several roots, and checks where the links are.
+std::vector<std::string> warnings_of_roots(const std::string& text, const std::string& root,
+                                           const std::map<std::string, double>& heights) {
+    const Loaded one = loaded(text);
+    EXPECT_EQ(one.robot.root, root);
+    const auto poses = link_poses(one.robot);
+    EXPECT_EQ(poses.size(), heights.size());
+    for (const auto& [link, height] : heights) {
+        EXPECT_EQ(poses.at(link).translation.z, height) << link;
+    }
+    return one.warnings;
+}
+
+TEST(LoadUrdfTolerance, SeveralRoots) {
+    const std::string joint =
+        "<joint name='j' type='fixed'><origin xyz='0 0 1'/><parent link='b'/><child link='c'/></joint>";
+    EXPECT_THAT(
+        warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='b'/><link name='c'/>" + joint + "</robot>",
+                          "a", {{"a", 0}, {"b", 0}, {"c", 1}}),
+        ElementsAre("/none/robot.urdf:3: no joint leads to link 'b', nor to 'a'; read as fixed to 'a' with "
+                    "equal frames, as MuJoCo places them; ROS refuses several roots; remedy: a fixed joint "
+                    "from 'a' to 'b'"));
+    EXPECT_THAT(
+        warnings_of_roots("<robot name='r'>\n<link name='a'/>\n<link name='world'/><link name='c'/>\n"
+                          "<joint name='a_to_c' type='fixed'><parent link='world'/><child link='a'/></joint>"
+                          "</robot>",
+                          "world", {{"a", 0}, {"world", 0}, {"c", 0}}),
+        ElementsAre(HasSubstr(":3: no joint leads to link 'c', nor to 'world'; read as fixed to 'world' with")));
+    EXPECT_THAT(loaded("<robot name='r'><link name='a'/><link name='b'/><link name='c'/></robot>").warnings,
+                ElementsAre(HasSubstr("no joint leads to link 'b' and 1 more, nor to 'a'")));
+    const Loaded named = loaded("<robot name='r'><link name='a'/><link name='b'/><link name='c'/><joint name='a_to_c' "
+                                "type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+    EXPECT_EQ(named.robot.joints.size(), 2);
+    EXPECT_EQ(named.robot.joints.at(1).name, "a_to_c_2");
+}
+
+TEST(LoadUrdfTolerance, CollisionsWithoutGeometry) {
+    for (const char* nothing : {"<collision/>", "<collision name='n'><origin/><geometry/></collision>"}) {
+        const Loaded one = loaded("<robot name='r'><link name='a'>\n" + std::string(nothing) + "</link></robot>");
+        EXPECT_THAT(one.robot.links.at(0).collisions, IsEmpty());
+        EXPECT_THAT(one.warnings, ElementsAre("/none/robot.urdf:2: a <collision> without geometry is left out; remedy: "
+                                              "remove it"));
+    }
 }
 
 TEST(LoadUrdfTolerance, PlaceholdersAndFlatShapes) {
@@ -155,6 +265,13 @@ TEST(LoadUrdfTolerance, Joints) {
     const Loaded variable = with_joint("<origin xyz='$(optenv IMU_XYZ 0.19 0 0.149)'/>");
     EXPECT_EQ(variable.robot.joints.at(0).origin.translation, (Vec3{0.19, 0, 0.149}));
     EXPECT_THAT(variable.warnings, ElementsAre(HasSubstr("is read as \"0.19 0 0.149\"; remedy: run xacro first")));
+    const Loaded shouted =
+        loaded("<robot name='r'><link name='a'/><link name='b'/>\n<joint name='j' type='Revolute'><parent "
+               "link='a'/><child link='b'/></joint></robot>");
+    EXPECT_EQ(shouted.robot.joints.at(0).kind, Joint::Kind::revolute);
+    EXPECT_THAT(shouted.warnings,
+                ElementsAre("/none/robot.urdf:2: <joint type=\"Revolute\"> is read as revolute; remedy: "
+                            "type=\"revolute\""));
     const Loaded world = loaded("<robot name='r'><link name='a'/><joint name='j' type='fixed'>\n<parent link='world'/>"
                                 "<child link='a'/></joint></robot>");
     EXPECT_EQ(world.robot.root, "world");
@@ -225,6 +342,14 @@ TEST_F(LoadUrdfReferences, AMissingMeshIsForThoseWhoNeedIt) {
                                         "tried:\n  /none/pkg/a.stl\n  /pkg/a.stl"));
     EXPECT_THAT(mesh.problem, HasSubstr("\nremedy: --package pkg=FOLDER, where FOLDER is the package, or "
                                         "FOAM_PACKAGE_PATH=FOLDER, where FOLDER/pkg is it"));
+}
+
+TEST_F(LoadUrdfReferences, AXacroExpressionIsAMissingMesh) {
+    const Loaded robot = loaded("<robot name='r'><link name='a'>\n<collision><geometry><mesh "
+                                "filename='$(arg folder)/a.stl'/></geometry></collision></link></robot>");
+    EXPECT_EQ(std::get<MeshReference>(robot.robot.links.at(0).collisions.at(0).geometry).problem,
+              "/none/robot.urdf:2: mesh '$(arg folder)/a.stl' of link 'a' is not found; it is a xacro expression; "
+              "remedy: run xacro first: xacro IN.xacro > OUT.urdf");
 }
 
 TEST(LoadUrdfTolerance, CasesOfTheField) {

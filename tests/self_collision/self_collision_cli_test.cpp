@@ -158,7 +158,9 @@ TEST_F(SelfCollisionCli, ListsThatCannotBeRead) {
     EXPECT_EQ(refusal("<robot>\n<disable_collisions link1='base'/></robot>"),
               "foam: error: theirs:2: <disable_collisions> does not name two links; remedy: <disable_collisions "
               "link1=\"A\" link2=\"B\"/>\n");
-    EXPECT_EQ(refusal("<robot>\n<link></robot>"), "foam: error: theirs:2:9: XML: mismatched tag\n");
+    EXPECT_EQ(refusal("<robot>\n<link></robot>"),
+              "foam: error: theirs:2:9: XML: mismatched tag; remedy: close each <NAME> by </NAME>, the inner "
+              "ones first\n");
     EXPECT_EQ(refusal("links: {}\n"),
               "foam: error: theirs: it excludes no pairs of links; supported are the <disable_collisions> of SRDFs, "
               "cuRobo's self_collision_ignore and XRDF's self_collision\n");

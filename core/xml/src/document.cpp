@@ -33,8 +33,9 @@ public:
             throw Error(code, label + ": is UTF-16; convert it first: iconv -f UTF-16 -t UTF-8");
         }
         if (XML_Parse(parser_, text_.data(), static_cast<int>(text_.size()), 1) != XML_STATUS_OK && !ended_) {
+            const XML_Error error = XML_GetErrorCode(parser_);
             const std::string reason =
-                complaint_.empty() ? std::string("XML: ") + XML_ErrorString(XML_GetErrorCode(parser_)) : complaint_;
+                complaint_.empty() ? std::string("XML: ") + XML_ErrorString(error) + remedy_for(error) : complaint_;
             throw Error(code, label + ":" + std::to_string(XML_GetCurrentLineNumber(parser_)) + ":" +
                                   std::to_string(XML_GetCurrentColumnNumber(parser_) + 1) + ": " + reason);
         }
@@ -42,6 +43,22 @@ public:
     }
 
 private:
+    static const char* remedy_for(XML_Error error) {
+        switch (error) {
+        case XML_ERROR_INVALID_TOKEN:
+            return "; remedy: values in quotes, a blank between attributes, &lt; for '<' in a value, no control "
+                   "characters";
+        case XML_ERROR_NO_ELEMENTS:
+        case XML_ERROR_UNCLOSED_TOKEN:
+            return "; the file ends too early; remedy: get the whole file, or close what is open";
+        case XML_ERROR_TAG_MISMATCH:
+            return "; remedy: close each <NAME> by </NAME>, the inner ones first";
+        case XML_ERROR_DUPLICATE_ATTRIBUTE:
+            return "; remedy: keep one";
+        default:
+            return "";
+        }
+    }
     static void on_start(void* self, const XML_Char* name, const XML_Char** attributes) {
         static_cast<Builder*>(self)->start(name, attributes);
     }

@@ -145,14 +145,16 @@ std::string declared_encoding(std::string_view text) {
 void mend_encoding(Mended& result) {
     const std::string declared = declared_encoding(result.text);
     const bool utf8 = declared.empty() || declared == "utf-8" || declared == "us-ascii";
-    if ((utf8 && is_valid_utf8(result.text)) || declared == "iso-8859-1" || declared == "utf-16") {
+    if ((utf8 && is_valid_utf8(result.text)) || declared == "iso-8859-1") {
         return;
     }
-    result.encoding = !utf8 && is_valid_utf8(result.text) ? "UTF-8" : "ISO-8859-1";
-    result.faults.push_back({1, utf8 ? std::string("the text is not UTF-8; remedy: iconv -f ENCODING -t UTF-8")
-                                     : "the encoding '" + declared + "' is read as " + result.encoding +
-                                           "; remedy: iconv -f " + declared +
-                                           " -t UTF-8, and the declaration without encoding"});
+    const bool is_utf8 = is_valid_utf8(result.text);
+    result.encoding = is_utf8 ? "UTF-8" : "ISO-8859-1";
+    result.faults.push_back(
+        {1, utf8      ? std::string("the text is not UTF-8; remedy: iconv -f ENCODING -t UTF-8")
+            : is_utf8 ? "the text is UTF-8, and not '" + declared + "' as it says; remedy: encoding=\"UTF-8\""
+                      : "the encoding '" + declared + "' is read as ISO-8859-1; remedy: iconv -f " + declared +
+                            " -t UTF-8, and encoding=\"UTF-8\""});
 }
 
 } // namespace
