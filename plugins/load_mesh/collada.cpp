@@ -28,6 +28,7 @@ public:
         } else {
             all_geometries(unit);
         }
+        tell_up_axis();
         if (skinned_) {
             context_.log(Severity::info, fmt::format("{}: it has skinned or morphed parts, which are taken as they are "
                                                      "without their bones and targets",
@@ -56,6 +57,16 @@ private:
                                                      printable(*text)));
         }
         return *value;
+    }
+
+    void tell_up_axis() {
+        const Element* asset = document_.root().child("asset");
+        const Element* up = asset ? asset->child("up_axis") : nullptr;
+        const std::string axis(up ? ElementWords(document_.source(), *up).next() : "");
+        if (!axis.empty() && axis != "Z_UP") {
+            context_.log(Severity::info, fmt::format("{}: its up-axis {} is ignored, as RViz and MoveIt do",
+                                                     document_.source().file.string(), printable(axis)));
+        }
     }
 
     /// Returns the scene that <scene> names, or else the first.

@@ -5,6 +5,7 @@
 namespace foam::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr const char* input =
@@ -16,7 +17,8 @@ std::string primitive(const std::string& kind, const std::string& content) {
 }
 
 TEST_F(LoadMesh, ColladaAppliesTheUnitAndNotTheUpAxis) {
-    const Mesh mesh = load(write("a.dae", collada("<unit meter=\"0.01\"/>", "0 1 3", identity)));
+    const Mesh mesh = load(write("a.dae", collada("<unit meter=\"0.01\"/><up_axis> Y_UP</up_axis>", "0 1 3", identity)));
+    EXPECT_THAT(context.messages, ElementsAre(HasSubstr("a.dae: its up-axis 'Y_UP' is ignored, as RViz and MoveIt do")));
     ASSERT_EQ(mesh.vertices.size(), 3u);
     EXPECT_EQ(mesh.vertices[1], (Vec3{1, 0, 0}));
     EXPECT_EQ(mesh.vertices[2], (Vec3{0, 1, 0}));

@@ -14,7 +14,7 @@ inline std::string collada_scene(const std::string& unit, const std::string& pri
                                  const std::string& libraries = "") {
     return R"(<?xml version="1.0"?>
 <COLLADA version="1.4.1"><asset>)" +
-           unit + R"(<up_axis>Y_UP</up_axis></asset>
+           unit + R"(</asset>
 <library_geometries><geometry id="g"><mesh><source id="s"><float_array id="a" count="12">
 0 0 0 100 0 0 100 100 0 0 100 0</float_array><technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>
 )" + primitives +
