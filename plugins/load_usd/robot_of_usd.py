@@ -175,7 +175,7 @@ class Robot:
             return result | exact
         corners = corners_of(prim)
         if corners is None:
-            raise Refused(f"{prim.GetPath()}: foam knows no {prim.GetTypeName()}; remedy: a mesh, sphere, cube, capsule, cylinder or cone")
+            raise Refused(f"{prim.GetPath()}: foam knows no {prim.GetTypeName()}; remedy: a mesh, sphere, cube, capsule, cylinder or cone, or physics:collisionEnabled = 0")
         return result | {"kind": "mesh", "hull": True, "points": self.moved(corners, place), "triangles": []}
 
     def moved(self, points, place):

@@ -31,6 +31,12 @@ def test_foam_reads_what_openusd_says(name):
     check(FOLDER / f"{name}.usda", COUNTS[name])
 
 
+def test_shapes_that_foam_does_not_know_are_errors(tmp_path):
+    (tmp_path / "curve.usda").write_text('#usda 1.0\ndef BasisCurves "c" (prepend apiSchemas = ["PhysicsCollisionAPI"])\n{\n}\n')
+    with pytest.raises(foam.InputError, match="/c: foam knows no BasisCurves; remedy: .*collisionEnabled = 0"):
+        foam.load(tmp_path / "curve.usda")
+
+
 def test_binary_files_and_packages_are_no_different(tmp_path):
     Usd.Stage.Open(str(FOLDER / "nested.usda")).Export(str(tmp_path / "nested.usdc"))
     check(tmp_path / "nested.usdc", COUNTS["nested"])
