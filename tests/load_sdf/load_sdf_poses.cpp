@@ -73,7 +73,7 @@ std::string form_of(const Geometry& geometry) {
     case Element::Kind::capsule:
         return form("capsule", element.radius, 2 * half.z);
     default:
-        return form("cylinder", half.x, 2 * half.z);
+        return form("cylinder", element.radius, 2 * half.z);
     }
 }
 
