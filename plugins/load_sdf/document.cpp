@@ -105,6 +105,14 @@ bool is_main(const std::string& file) {
     return root.LoadSdfString(text, config);
 }
 
+/// Returns whether an error is about what foam does not read: masses that no body has, sensors, looks. libsdformat has
+/// read the links all the same.
+bool is_aside(const ::sdf::Error& error) {
+    const std::string message = error.Message();
+    return error.Code() == ::sdf::ErrorCode::LINK_INERTIA_INVALID ||
+           message.starts_with("Attempting to load a Sensor") || message.starts_with("A <script> element is missing");
+}
+
 } // namespace
 
 Document::Document(const std::string& text, const fs::path& file, References& references, Context& context)
@@ -122,7 +130,9 @@ Document::Document(const std::string& text, const fs::path& file, References& re
     const ::sdf::Errors all = load(root_, resolved, references, ::sdf::EnforcementPolicy::ERR);
     if (!all.empty()) {
         root_ = ::sdf::Root();
-        require_none(load(root_, resolved, references, ::sdf::EnforcementPolicy::LOG));
+        ::sdf::Errors errors = load(root_, resolved, references, ::sdf::EnforcementPolicy::LOG);
+        std::erase_if(errors, is_aside);
+        require_none(errors);
         log_warnings(all, context);
     }
 }
@@ -168,10 +178,11 @@ std::string Document::message_of(const ::sdf::Error& error) const {
     const std::string stated = error.FilePath().value_or("");
     const std::string file = is_main(stated) ? file_.string() : stated;
     const std::string line = error.LineNumber() ? fmt::format(":{}", *error.LineNumber()) : "";
-    std::string message = shown(error.Message());
-    while (message.ends_with('.')) {
-        message.pop_back();
-    }
+    std::string message = error.Message();
+    std::ranges::replace(message, '\n', ' ');
+    message = shown(message);
+    message.erase(std::find_if(message.rbegin(), message.rend(), [](char c) { return c != '.' && c != ' '; }).base(),
+                  message.end());
     return fmt::format("{}{}: libsdformat: {}", file, line, message);
 }
 

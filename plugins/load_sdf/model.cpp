@@ -250,10 +250,10 @@ private:
 } // namespace
 
 Robot robot_of(const std::string& text, const std::filesystem::path& file, const ResourceResolver& resources,
-               Context& context) {
+               const MeshLoader* meshes, Context& context) {
     References references(resources, file.parent_path());
     const Document document(text, file, references, context);
-    Shapes shapes(document, references, context);
+    Shapes shapes(document, references, {text, meshes}, context);
     Robot robot = Walk(document, shapes, context).run();
     shapes.report();
     robot.file = file;

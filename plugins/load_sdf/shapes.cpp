@@ -138,7 +138,41 @@ std::optional<Geometry> Shapes::other_shape(const ::sdf::Geometry& geometry, con
     if (source && source->HasElement("image")) {
         document_.fail(element, "an <image> is no shape that foam reads; remedy: a mesh");
     }
+    if (source && source->HasElement("cone")) { // of SDF 1.12
+        return cone(source->GetElement("cone"));
+    }
+    const ::sdf::ElementPtr unknown = source ? source->GetFirstElement() : nullptr;
+    if (unknown && unknown->GetName() != "empty") {
+        document_.fail(element, fmt::format("foam knows no shape <{}>; remedy: another shape, or a mesh",
+                                            shown(unknown->GetName())));
+    }
     return std::nullopt; // <empty/>
+}
+
+MeshReference Shapes::cone(const ::sdf::ElementPtr& source) const {
+    const auto number = [&](const char* name) {
+        const ::sdf::ElementPtr child = source->HasElement(name) ? source->GetElement(name) : nullptr;
+        const auto value = child && child->GetValue() ? child->Get<double>() : 1.0;
+        return above_zero(value, fmt::format("{} of <cone>", name).c_str(), source);
+    };
+    const Mesh mesh = cone_mesh(number("radius"), number("length"));
+    return {.uri = "", .path = {}, .mesh = std::make_shared<const Mesh>(mesh)};
+}
+
+void Shapes::take_hull(MeshReference& mesh, const ::sdf::Mesh& source) {
+    if (!mesh.problem.empty() || !optimizations_.is_hull(source, document_)) {
+        return;
+    }
+    if (!meshes_) {
+        document_.fail(source.Element(), "no plugin has load.mesh, which reads the mesh for its hull");
+    }
+    QuietContext quiet;
+    const auto hull = convex_hull(meshes_->load(mesh.path, quiet).vertices);
+    if (!hull) {
+        document_.fail(source.Element(), "the mesh collides as its hull, and its points span no volume; remedy: mend the "
+                                         "mesh, or write no optimization");
+    }
+    mesh.mesh = std::make_shared<const Mesh>(hull->surface);
 }
 
 std::optional<Geometry> Shapes::shape(const ::sdf::Geometry& geometry, const ::sdf::ElementPtr& element,
@@ -201,6 +235,9 @@ std::optional<GeometryElement> Shapes::collision(const ::sdf::Collision& source,
     bool ground = false;
     auto result = element(source, link, ground);
     ground_ += ground ? 1 : 0;
+    if (auto* mesh = result ? std::get_if<MeshReference>(&result->geometry) : nullptr; mesh && source.Geom()->MeshShape()) {
+        take_hull(*mesh, *source.Geom()->MeshShape());
+    }
     return result;
 }
 

@@ -25,6 +25,8 @@ TURNS = {"X": ((0, 0, -1), (0, 1, 0), (1, 0, 0)), "Y": ((1, 0, 0), (0, 0, -1), (
 #: Approximations of a mesh within which its convex hull lies.
 CONVEX = ("convexHull", "boundingSphere", "boundingCube")
 SIDES = 48
+#: How far a primitive may be from the shape that its scale makes of it: scales and turns are often in single precision.
+ROUNDING = 3e-6
 
 
 class Refused(Exception):
@@ -35,6 +37,11 @@ def value(attribute, default=None):
     """Returns what an attribute says; the default if it says nothing."""
     found = attribute.Get(TIME) if attribute else None
     return default if found is None else found
+
+
+def plain(array):
+    """Returns the numbers of an array, or lists of three for points."""
+    return memoryview(array).tolist() if len(array) else []
 
 
 def rigid(matrix):
@@ -168,11 +175,16 @@ class Robot:
             return result | exact
         corners = corners_of(prim)
         if corners is None:
-            raise Refused(f"{prim.GetPath()}: foam knows no {prim.GetTypeName()}; remedy: a mesh, sphere, cube, capsule, cylinder or cone")
+            raise Refused(f"{prim.GetPath()}: foam knows no {prim.GetTypeName()}; remedy: a mesh, sphere, cube, capsule, cylinder or cone, or physics:collisionEnabled = 0")
         return result | {"kind": "mesh", "hull": True, "points": self.moved(corners, place), "triangles": []}
 
     def moved(self, points, place):
-        return [c for p in points for c in place.Transform(Gf.Vec3d(p)) * self.metre]
+        """Returns the coordinates of points in metres, in plain numbers: an object of Gf for each takes a hundred times as long."""
+        (a, b, c), (d, e, f), (g, h, i), (u, v, w) = [[place[row][k] * self.metre for k in range(3)] for row in range(4)]
+        moved = []
+        for x, y, z in points:
+            moved += (a * x + d * y + g * z + u, b * x + e * y + h * z + v, c * x + f * y + i * z + w)
+        return moved
 
     def approximation(self, prim, collider):
         """Returns how a mesh collides."""
@@ -189,13 +201,13 @@ class Robot:
     def mesh(self, prim, place, approximation):
         """Returns the triangles of a mesh. Those of a mirrored one are flipped."""
         mesh = UsdGeom.Mesh(prim)
-        points, counts, corners = (value(a, []) for a in (mesh.GetPointsAttr(), mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()))
+        points, counts, corners = (plain(value(a, [])) for a in (mesh.GetPointsAttr(), mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()))
         if not points or (counts and sum(counts) != len(corners)) or any(not 0 <= c < len(points) for c in corners):
             raise Refused(f"{prim.GetPath()}: the mesh has no points, or faces of corners that are not there; remedy: mend it, or remove it")
         mirrored = (place.GetDeterminant() < 0) != (value(mesh.GetOrientationAttr(), "rightHanded") == "leftHanded")
         triangles, begin = [], 0
         for count in counts:
-            face = list(corners[begin : begin + count])
+            face = corners[begin : begin + count]
             begin += count
             for k in range(1, count - 1):
                 triangles += [face[0], face[k + 1], face[k]] if mirrored else [face[0], face[k], face[k + 1]]
@@ -207,23 +219,26 @@ class Robot:
         scale = [row.GetLength() for row in rows]
         if min(scale) <= 0:
             raise Refused(f"{prim.GetPath()}: its scale is 0; remedy: remove it, or scale it otherwise")
-        if any(abs(Gf.Dot(rows[i], rows[j])) > 1e-9 * scale[i] * scale[j] for i, j in ((0, 1), (1, 2), (2, 0))):
-            return None  # sheared
+        shear = max(abs(Gf.Dot(rows[i], rows[j])) / (scale[i] * scale[j]) for i, j in ((0, 1), (1, 2), (2, 0)))
+        if shear > ROUNDING:
+            return None
         turned = Gf.Matrix3d(1)
         for i in range(3):
             turned.SetRow(i, rows[i] / scale[i])
+        if shear > 1e-12:
+            turned.Orthonormalize()
         if turned.GetDeterminant() < 0:  # they are their own mirror images
             turned.SetRow(2, -turned.GetRow(2))
         scale = [s * self.metre for s in scale]
         kind = prim.GetTypeName()
-        same = lambda *of: max(of) - min(of) <= 1e-9 * max(of)  # noqa: E731
+        same = lambda *of: max(of) - min(of) <= ROUNDING * max(of)  # noqa: E731
         if kind == "Cube":
             size = float(value(UsdGeom.Cube(prim).GetSizeAttr(), 2))
             return {"kind": "box", "size": [size * s for s in scale], "pose": self.placed(turned, place)}
         if kind == "Sphere":
             radius = float(value(UsdGeom.Sphere(prim).GetRadiusAttr(), 1))
-            size = [radius * s for s in scale]
-            return {"kind": "sphere" if same(*size) else "ellipsoid", "size": size, "pose": self.placed(turned, place)}
+            size = [radius * s for s in sorted(scale, reverse=True)] if same(*scale) else [radius * s for s in scale]
+            return {"kind": "sphere" if same(*scale) else "ellipsoid", "size": size, "pose": self.placed(turned, place)}
         if kind not in ("Capsule", "Cylinder", "Capsule_1", "Cylinder_1"):
             return None
         radii, height, axis = lengths_of(prim)
@@ -232,7 +247,7 @@ class Robot:
         if not same(*radii) or not same(*across) or (kind.startswith("Capsule") and not same(*scale)):
             return None
         turn = Gf.Matrix3d(*(c for row in TURNS[axis] for c in row))
-        return {"kind": kind.split("_")[0].lower(), "size": [radii[0] * across[0], height * scale[along]], "pose": self.placed(turn * turned, place)}
+        return {"kind": kind.split("_")[0].lower(), "size": [max(radii) * max(across), height * scale[along]], "pose": self.placed(turn * turned, place)}
 
     def placed(self, turned, place):
         return self.pose_numbers(Gf.Matrix4d().SetRotate(turned).SetTranslateOnly(place.ExtractTranslation()))

@@ -3,7 +3,10 @@
 
 #include <sdf/sdf.hh>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <numbers>
 
 namespace foam::test {
 namespace {
@@ -57,6 +60,72 @@ TEST(LoadSdf, ExtrudesPolylines) {
     EXPECT_EQ(bounds(*mesh.mesh).high.z, 0.5);
     EXPECT_THAT(error_of(shaped("<polyline><point>0 0</point><point>1 1</point><height>1</height></polyline>")),
                 HasSubstr("/none/robot.sdf:2: <polyline> has no area"));
+}
+
+TEST(LoadSdf, ReadsConesOfLaterVersions) {
+    const auto mesh = std::get<MeshReference>(shape_of("<cone><radius>1</radius><length>3</length></cone>"));
+    ASSERT_TRUE(mesh.mesh);
+    const double volume = std::numbers::pi; // of the cone, which the mesh holds
+    EXPECT_GT(signed_volume(*mesh.mesh), volume);
+    EXPECT_LT(signed_volume(*mesh.mesh), 1.005 * volume);
+    EXPECT_EQ(bounds(*mesh.mesh).low.z, -1.5);
+    EXPECT_EQ(bounds(*mesh.mesh).high.z, 1.5);
+    EXPECT_THAT(error_of(shaped("<cone><radius>0</radius><length>3</length></cone>")),
+                HasSubstr("the radius of <cone> is 0"));
+}
+
+TEST(LoadSdf, RefusesShapesThatItDoesNotKnow) {
+    EXPECT_THAT(error_of(shaped("<torus><radius>1</radius></torus>")),
+                HasSubstr("/none/robot.sdf:2: foam knows no shape <torus>; remedy: another shape, or a mesh"));
+    EXPECT_TRUE(load_sdf(shaped("<empty/>")).links.at(0).collisions.empty());
+}
+
+TEST(LoadSdf, MeshesCollideAsTheirHullWhereTheFileSaysSo) {
+    const TemporaryFolder folder;
+    // A tetrahedron with a dent down to its centre.
+    write(folder.path() / "dent.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nv 0.25 0.5 0.75\n"
+                                      "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n");
+    const auto collision = [](const char* name, const char* optimization) {
+        return fmt::format("<collision name='{}'><geometry><mesh{}><uri>dent.obj</uri><scale>1 1 2</scale></mesh></geometry>"
+                           "</collision>\n", name, optimization);
+    };
+    const std::string part = model("<link name='l'>" + collision("c", " optimization='convex_hull'") +
+                                   collision("d", " optimization='convex_decomposition'") + collision("e", "") + "</link>");
+    write(folder.path() / "part.sdf", part);
+    const std::string with = model("<include><uri>part.sdf</uri><name>p</name></include>" + link("l") +
+                                   joint("j", "fixed", "l", "p::l"));
+    for (const auto& [text, index] : {std::pair(part, 0U), std::pair(with, 1U)}) {
+        QuietContext context;
+        const Robot robot = load_sdf(text, context, folder.path() / "robot.sdf");
+        std::vector<MeshReference> meshes;
+        for (const GeometryElement& element : robot.links.at(index).collisions) {
+            meshes.push_back(std::get<MeshReference>(element.geometry));
+            EXPECT_EQ(meshes.back().scale, (Vec3{1, 1, 2}));
+        }
+        ASSERT_EQ(meshes.size(), 3U);
+        ASSERT_TRUE(meshes[0].mesh);
+        EXPECT_NEAR(signed_volume(*meshes[0].mesh), 1, 1e-12);
+        EXPECT_FALSE(meshes[1].mesh);
+        EXPECT_FALSE(meshes[2].mesh);
+    }
+}
+
+TEST(LoadSdf, ErrorsAboutWhatItDoesNotReadAreWarnings) {
+    ListeningContext context;
+    const std::string mass = "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>5</izz></inertia></inertial>";
+    const Robot robot = load_sdf(
+        model(link("a", mass + "<sensor name='s' type='of_tomorrow'/>"
+                               "<visual name='v'><geometry><sphere/></geometry><material><script><name>x</name></script>"
+                               "</material></visual>")),
+        context);
+    EXPECT_EQ(robot.links.at(0).collisions.size(), 1U);
+    EXPECT_EQ(robot.links[0].inertial.value().mass, 1);
+    EXPECT_THAT(context.messages, Contains(HasSubstr("invalid inertia")));
+    EXPECT_THAT(context.messages, Contains(HasSubstr("Sensor")));
+    EXPECT_THAT(context.messages, Contains(HasSubstr("<script>")));
+    for (const std::string& message : context.messages) {
+        EXPECT_EQ(message.find("\\x0a"), message.npos) << message;
+    }
 }
 
 TEST(LoadSdf, CountsWhatNoElementCovers) {

@@ -3,14 +3,23 @@
 
 #include <foam/robot/kinematics.hpp>
 
+#include <fmt/format.h>
 #include <sdf/sdf.hh>
 
+#include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace foam::test {
 namespace {
 
-using Placed = std::map<std::string, ignition::math::Pose3d>; ///< of collisions in the world, by link and name
+/// A collision as libsdformat has it.
+struct Theirs {
+    ignition::math::Pose3d pose; ///< in the world
+    std::string form;
+};
+
+using Placed = std::map<std::string, Theirs>; ///< by link and name
 
 const std::string pose = "<pose>1 2 3 0.1 -0.4 0.7</pose>";
 
@@ -21,7 +30,83 @@ std::string posed_collision(const std::string& attributes) {
 
 struct Case {
     std::string name, text;
+    std::filesystem::path file = "/none/robot.sdf";
 };
+
+const std::filesystem::path features = std::filesystem::path(FOAM_TEST_SOURCE) / "tests/load_sdf/features";
+
+/// The files of tests/load_sdf/features, which use each feature of the format together.
+std::vector<Case> files() {
+    std::vector<Case> cases;
+    for (const auto& entry : std::filesystem::directory_iterator(features)) {
+        if (entry.is_regular_file()) {
+            std::ostringstream text;
+            text << std::ifstream(entry.path()).rdbuf();
+            cases.push_back({entry.path().stem().string(), text.str(), entry.path()});
+        }
+    }
+    std::ranges::sort(cases, {}, &Case::name);
+    return cases;
+}
+
+template <class... Numbers>
+std::string form(const char* name, Numbers... numbers) {
+    std::string text = name;
+    ((text += fmt::format(" {:.12g}", numbers)), ...);
+    return text;
+}
+
+std::string form_of(const Geometry& geometry) {
+    if (const auto* mesh = std::get_if<MeshReference>(&geometry)) {
+        const bool read = !mesh->mesh;
+        return read ? form("mesh", mesh->scale.x, mesh->scale.y, mesh->scale.z) + mesh->uri : "made";
+    }
+    const Element& element = std::get<Element>(geometry);
+    const Vec3 half = element.half;
+    switch (element.kind) {
+    case Element::Kind::box:
+        return form("box", 2 * half.x, 2 * half.y, 2 * half.z);
+    case Element::Kind::sphere:
+        return form("sphere", element.radius);
+    case Element::Kind::ellipsoid:
+        return form("ellipsoid", half.x, half.y, half.z);
+    case Element::Kind::capsule:
+        return form("capsule", element.radius, 2 * half.z);
+    default:
+        return form("cylinder", element.radius, 2 * half.z);
+    }
+}
+
+/// What touches nothing, or stays as it is, has no form.
+std::string form_of(const sdf::Collision& collision) {
+    using Type = sdf::GeometryType;
+    const sdf::Geometry& geometry = *collision.Geom();
+    if (collision.Surface() && collision.Surface()->Contact() && collision.Surface()->Contact()->CollideBitmask() == 0) {
+        return "";
+    }
+    switch (geometry.Type()) {
+    case Type::BOX: {
+        const auto size = geometry.BoxShape()->Size();
+        return form("box", size.X(), size.Y(), size.Z());
+    }
+    case Type::SPHERE:
+        return form("sphere", geometry.SphereShape()->Radius());
+    case Type::CYLINDER:
+        return form("cylinder", geometry.CylinderShape()->Radius(), geometry.CylinderShape()->Length());
+    case Type::CAPSULE:
+        return form("capsule", geometry.CapsuleShape()->Radius(), geometry.CapsuleShape()->Length());
+    case Type::ELLIPSOID: {
+        const auto radii = geometry.EllipsoidShape()->Radii();
+        return form("ellipsoid", radii.X(), radii.Y(), radii.Z());
+    }
+    case Type::MESH: {
+        const auto scale = geometry.MeshShape()->Scale();
+        return form("mesh", scale.X(), scale.Y(), scale.Z()) + geometry.MeshShape()->Uri();
+    }
+    default:
+        return geometry.Element()->HasElement("polyline") ? "made" : "";
+    }
+}
 
 std::vector<Case> cases() {
     const std::string arm = "<link name='a'>" + pose + posed_collision("") + "</link>";
@@ -61,7 +146,9 @@ void add(Placed& placed, const sdf::Model& model, const std::string& prefix, con
             ignition::math::Pose3d pose;
             const sdf::Collision& collision = *link.CollisionByIndex(k);
             EXPECT_TRUE(collision.SemanticPose().Resolve(pose, "__model__").empty());
-            placed[prefix + link.Name() + " " + collision.Name()] = outer * own * pose;
+            if (const std::string form = form_of(collision); !form.empty()) {
+                placed[prefix + link.Name() + " " + collision.Name()] = {outer * own * pose, form};
+            }
         }
     }
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i) {
@@ -74,7 +161,11 @@ void add(Placed& placed, const sdf::Model& model, const std::string& prefix, con
 Placed placed_by_libsdformat(const std::string& text) {
     sdf::Console::Instance()->SetQuiet(true);
     sdf::Root root;
-    EXPECT_TRUE(root.LoadSdfString(text).empty());
+    sdf::ParserConfig config;
+    config.SetFindCallback([](const std::string& uri) {
+        return (features / uri.substr(uri.starts_with("model://") ? 8 : 0)).string();
+    });
+    EXPECT_TRUE(root.LoadSdfString(text, config).empty());
     Placed placed;
     if (root.Model()) {
         add(placed, *root.Model(), "", {});
@@ -96,7 +187,8 @@ Vec3 moved(const ignition::math::Pose3d& pose, const Vec3& p) {
 class LoadSdfPoses : public ::testing::TestWithParam<Case> {};
 
 TEST_P(LoadSdfPoses, AreThoseOfLibsdformat) {
-    const Robot robot = load_sdf(GetParam().text);
+    QuietContext context;
+    const Robot robot = load_sdf(GetParam().text, context, GetParam().file);
     const Placed expected = placed_by_libsdformat(GetParam().text);
     const std::map<std::string, Pose> links = link_poses(robot);
     EXPECT_EQ(links.size(), robot.links.size());
@@ -110,11 +202,12 @@ TEST_P(LoadSdfPoses, AreThoseOfLibsdformat) {
     const auto ours = [&](const Link& link, const GeometryElement& element, const Vec3& p) {
         return links.at(link.name) * element.origin * p;
     };
-    const ignition::math::Pose3d& anchor = expected.at(first->name + " " + first->collisions.front().name);
+    const ignition::math::Pose3d& anchor = expected.at(first->name + " " + first->collisions.front().name).pose;
     const Pose to_anchor = (links.at(first->name) * first->collisions.front().origin).inverse();
     for (const Link& link : robot.links) {
         for (const GeometryElement& element : link.collisions) {
-            const ignition::math::Pose3d& theirs = expected.at(link.name + " " + element.name);
+            const auto& [theirs, form] = expected.at(link.name + " " + element.name);
+            EXPECT_EQ(form_of(element.geometry), form) << link.name << " " << element.name;
             for (const Vec3& p : {Vec3{}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
                 const Vec3 in_world = moved(anchor, to_anchor * ours(link, element, p));
                 EXPECT_LT(distance(in_world, moved(theirs, p)), 1e-12) << link.name << " " << element.name;
@@ -129,6 +222,8 @@ TEST_P(LoadSdfPoses, AreThoseOfLibsdformat) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Features, LoadSdfPoses, ::testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Files, LoadSdfPoses, ::testing::ValuesIn(files()),
                          [](const auto& info) { return info.param.name; });
 
 TEST(LoadSdfJoints, TurnAboutTheirOwnOrigin) {

@@ -19,6 +19,7 @@ namespace foam::test {
 /// A robot from text, as if it stood in `file`.
 inline Robot load_sdf(const std::string& text, Context& context, const std::filesystem::path& file = "/none/robot.sdf") {
     Registry registry;
+    registry.load(std::string(FOAM_TEST_PLUGINS) + "/load_mesh.so");
     const PluginRecord& record = registry.load(std::string(FOAM_TEST_PLUGINS) + "/load_sdf.so");
     EXPECT_TRUE(record.loaded()) << record.rejection;
     return registry.make<RobotLoader>("load.sdf")->load(text, file, ResourceResolver{}, context);
