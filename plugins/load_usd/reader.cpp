@@ -188,6 +188,13 @@ Robot robot_of(const std::filesystem::path& file, Context& context) {
     robot.root = told["root"];
     robot.file = file;
     robot.stage = stage_of(told);
+    for (const Json& layer : told["layers"]) {
+        std::error_code error;
+        const std::filesystem::path path = layer.get<std::string>();
+        if (!std::filesystem::equivalent(path, file, error)) {
+            robot.further_files.push_back(path);
+        }
+    }
     for (const Json& link : told["links"]) {
         robot.links.push_back(link_of(link, file.string()));
     }

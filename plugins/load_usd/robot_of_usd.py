@@ -515,8 +515,9 @@ def main():
         sys.exit(2)
     default = robot.stage.GetDefaultPrim()
     name = default.GetName() if default else os.path.splitext(os.path.basename(file))[0]
+    layers = sorted(layer.realPath for layer in robot.stage.GetUsedLayers() if os.path.isfile(layer.realPath))
     json.dump({"name": name, "root": robot.root, "default_prim": default.GetName() if default else "", "up_axis": str(UsdGeom.GetStageUpAxis(robot.stage)),
-               "metres_per_unit": robot.metre, "instances": robot.instances,
+               "metres_per_unit": robot.metre, "instances": robot.instances, "layers": layers,
                "links": list(robot.links.values()), "joints": robot.joints,
                "notes": robot.notes, "warnings": robot.warnings}, sys.stdout)  # fmt: skip
 
