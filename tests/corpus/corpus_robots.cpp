@@ -38,7 +38,8 @@ TEST_P(CorpusRobot, IsCoveredBySixtySpheres) {
     const RunResult result = spherized(registry, file, 60, folder.path() / "out");
     EXPECT_TRUE(result.certified);
     EXPECT_FALSE(result.links_lost);
-    EXPECT_EQ(result.total.spheres, 60u);
+    EXPECT_LE(result.total.spheres, 60u);
+    EXPECT_GE(result.total.spheres, 57u) << "links that are alike get equal numbers";
     EXPECT_EQ(result.total.gap, 0);
     for (const LinkReport& link : result.links) {
         EXPECT_GE(link.measures.spheres, 1u) << link.link;

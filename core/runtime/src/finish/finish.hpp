@@ -40,7 +40,7 @@ Element up_on_grid(Element element, const DecimalGrid& grid);
 
 /// Grows elements until they are proved to cover as they are, by 4095 steps of the grid at most. Elements that cover may
 /// not be proved to once their lengths are rounded up: where they only just overlap, pieces of the surface become too
-/// small for a proof.
+/// small for a proof. Hulls are proved twice: as they are, and as files of meshes have them (float32_hull()).
 void grow_until_proved(const Solid& solid, Elements& elements, const DecimalGrid& grid);
 
 /// Moves the elements of a level that has not only spheres onto the grid, grows them to cover if they are to be `outer`,

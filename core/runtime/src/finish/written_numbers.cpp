@@ -1,6 +1,7 @@
 #include "finish/finish.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/measure.hpp>
 
 #include <algorithm>
@@ -124,10 +125,31 @@ static Element with_written_numbers(Element element, const Element& placed, cons
     return on_grid_already ? element : up_on_grid(std::move(element), grid);
 }
 
+static bool has_hulls(const Elements& elements) {
+    return std::any_of(elements.shaped().begin(), elements.shaped().end(),
+                       [](const Element& element) { return element.kind == Element::Kind::hull; });
+}
+
+/// Returns whether the elements are proved to cover, also with their hulls as the files of meshes have them. Those
+/// contain the hulls, but the proof goes by other pieces.
+static bool covers_as_meshes(const Solid& solid, Elements elements) {
+    try {
+        for (Element& element : elements.shaped()) {
+            element = element.kind == Element::Kind::hull ? float32_hull(element) : element;
+        }
+    } catch (const Error&) {
+        return true; // no such file can be written, which a writer says
+    }
+    return covers(solid, elements);
+}
+
 void grow_until_proved(const Solid& solid, Elements& elements, const DecimalGrid& grid) {
     constexpr int rounds = 12;
     constexpr double least = 1e-10; // of the size
-    for (int round = 0; round < rounds && !covers(solid, elements); ++round) {
+    const auto proved = [&] {
+        return covers(solid, elements) && (!has_hulls(elements) || covers_as_meshes(solid, elements));
+    };
+    for (int round = 0; round < rounds && !proved(); ++round) {
         const double length = std::ldexp(std::max(grid.step(), least * solid.bounds().diagonal()), round);
         for (Sphere& sphere : elements.spheres()) {
             sphere.radius = grid.up(sphere.radius + length);
@@ -159,7 +181,7 @@ double finish_elements(const Solid& solid, Elements& elements, const DecimalGrid
         const double slack = outer ? slack_of(element, numbers) : 0;
         element = with_written_numbers(std::move(element), placed.shaped()[i], grid, slack);
     }
-    if (outer && !(elements == placed)) {
+    if (outer && (has_hulls(elements) || !(elements == placed))) {
         grow_until_proved(solid, elements, grid);
     }
     return growth_between(given, elements);

@@ -34,6 +34,11 @@ def joint(name, parent, child, xyz, axis, rpy="0 0 0", more="", kind="revolute")
     )
 
 
+def text_of(name, parts):
+    """Return the URDF, an element a line: PyBullet breaks lines of more than 8191 bytes."""
+    return "\n".join([f'<robot name="{name}">', *parts, "</robot>"])
+
+
 def hand():
     """Return a hand of three fingers, whose outer joints follow the inner ones."""
     parts = [link("palm", box("0.1 0.08 0.03"), rod(0.03, 0.05, "0 0 -0.04"))]
@@ -43,7 +48,7 @@ def hand():
         parts += [link(f"proximal_{i}", rod(0.01, 0.05, "0 0 0.025")), link(f"distal_{i}", rod(0.008, 0.04, "0 0 0.02", "0.2 0 0"))]
         parts += [joint(f"inner_{i}", "palm", f"proximal_{i}", at, "0 1 0", f"0 0 {angle}")]
         parts += [joint(f"outer_{i}", f"proximal_{i}", f"distal_{i}", "0 0 0.05", "0 1 0", more=follow)]
-    return f'<robot name="hand">{"".join(parts)}</robot>'
+    return text_of("hand", parts)
 
 
 def walker():
@@ -58,7 +63,7 @@ def walker():
             parts += [joint(f"{leg}_a", "trunk", f"{leg}_hip", f"{0.2 * x} {0.12 * y} 0", "1 0 0")]
             parts += [joint(f"{leg}_b", f"{leg}_hip", f"{leg}_thigh", f"0 {0.05 * y} 0", "0 1 0", "0 0.4 0")]
             parts += [joint(f"{leg}_c", f"{leg}_thigh", f"{leg}_shank", "0 0 -0.2", "0 -1 0", "0 -0.8 0")]
-    return f'<robot name="walker">{"".join(parts)}</robot>'
+    return text_of("walker", parts)
 
 
 def robots(folder):

@@ -82,14 +82,15 @@ static std::vector<SurfacePiece> not_in_one(const Solid& solid, const Frame& fra
 }
 
 Points crease_points(const Solid& solid, const Frame& frame, const Balls& balls, double finest, std::size_t most) {
-    constexpr std::size_t too_many = 1'000'000;
+    constexpr std::size_t pieces_per_point = 30; // of which one is taken
     constexpr double smallest = 1e-6;
+    const std::size_t too_many = pieces_per_point * most;
     const std::vector<SurfacePiece> triangles = not_in_one(solid, frame, unit_spheres(balls));
     auto length = static_cast<float>(std::max(finest, smallest));
     std::optional<std::vector<SurfacePiece>> open;
     while (!(open = open_pieces(triangles, balls, length, too_many))) {
         check_cancelled();
-        length *= 2; // tiny balls leave nearly all of the surface open: a coarse result is enough
+        length *= 2; // much of the surface is open: a coarse result is enough
     }
     std::ranges::stable_sort(*open, {}, &SurfacePiece::triangle);
     const std::size_t count = std::min(most, open->size());
