@@ -5,8 +5,8 @@
 
 Takes each *.urdf below the folders, in an order that the seed draws, so that any beginning is a fair sample, until the
 time is over. A line of the table: robot, kind, count, verdict. `held`: foam proves all links, and of a million points
-inside links that are closed beyond doubt none lies outside the elements. `refused`: foam says why it reads no geometry,
-or needs more elements. Anything else is printed, and the exit code is 1.
+inside links that are closed beyond doubt none lies outside the elements. `refused`: `foam info` reads no geometry.
+Anything else is printed, and the exit code is 1.
 """
 import argparse
 import json
@@ -36,11 +36,10 @@ def verdict(foam, judge, robot, kind, count, effort, links):
         model = Path(folder) / "model.urdf"
         done = run(foam, "approximate", robot, "--with", kind, "-n", count, "--effort", effort, "-o", model)
         if not model.exists():
-            what = "refused" if "foam: error" in done.stderr else "failed"
-            return what, done.stderr.strip()
+            return ("failed" if links else "refused"), done.stderr.strip()
         if done.returncode != 0:
             return "not proved", done.stdout.strip().split("\n")[-1]
-        judged = run(judge, robot, model, "--solid", max(1000, POINTS // max(1, links)))
+        judged = run(judge, robot, model, "--solid", max(1000, POINTS // links))
         return ("held", "") if judged.returncode == 0 else ("objection", (judged.stdout + judged.stderr).strip())
 
 

@@ -7,15 +7,12 @@ Needs MuJoCo (tests/consumers/python/requirements.txt). A file counts as `equal`
 contact, their form and place, and world poses at 20 random joint positions; as `both refuse`, `foam refuses`, `MuJoCo
 refuses`, or `differs`.
 """
-import argparse
-import collections
-import os
 import re
 import sys
-import warnings
 from pathlib import Path
 
 import mujoco
+import packages
 
 import foam
 
@@ -47,20 +44,9 @@ def verdict(file):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folders", nargs="+", type=Path)
-    parser.add_argument("--only", default="", help="verdicts to print, such as 'differs'")
-    arguments = parser.parse_args()
-    warnings.simplefilter("ignore")
+    arguments = packages.read_arguments(__doc__)
     for folder in arguments.folders:
-        counts = collections.Counter()
-        for file in sorted(folder.rglob("*.xml")):
-            if is_mjcf(file):
-                what, why = verdict(file)
-                counts[what] += 1
-                if what != "equal" and arguments.only in what:
-                    print(f"{what}: {os.path.relpath(file, folder)}: {' '.join(str(why).split())[:600]}", flush=True)
-        print(f"{folder.name}: {sum(counts.values())} files: {dict(counts)}", flush=True)
+        packages.compare(folder, filter(is_mjcf, folder.rglob("*.xml")), verdict, arguments.only)
 
 
 if __name__ == "__main__":

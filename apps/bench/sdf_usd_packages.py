@@ -7,16 +7,14 @@ Needs Drake (pip install drake) for SDF, and usd-core for USD; files of a reader
 `equal` if both read it and agree: links, shapes with contact, their form and place, and poses at random joint values; as
 `both refuse`, `foam refuses`, `the other refuses`, or `differs`.
 """
-import argparse
-import collections
 import importlib.util
 import os
 import re
 import sys
-import warnings
 from pathlib import Path
 
 import foam
+import packages
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests/python/consumers"))
 os.environ.setdefault("FOAM_PYTHON", sys.executable)
@@ -58,23 +56,12 @@ def verdict(file, folder, read, compare):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("folders", nargs="+", type=Path)
-    parser.add_argument("--only", default="", help="verdicts to print, such as 'differs'")
-    arguments = parser.parse_args()
-    warnings.simplefilter("ignore")
+    arguments = packages.read_arguments(__doc__)
     readers = [reader for module, reader in (("pydrake", sdf_reader), ("pxr", usd_reader)) if importlib.util.find_spec(module)]
     for patterns, accepted, read, compare in [reader() for reader in readers]:
         for folder in arguments.folders:
-            counts = collections.Counter()
-            for file in sorted(file for pattern in patterns for file in folder.rglob(pattern)):
-                if accepted(file):
-                    what, why = verdict(file, folder, read, compare)
-                    counts[what] += 1
-                    if what != "equal" and arguments.only in what:
-                        print(f"{what}: {os.path.relpath(file, folder)}: {' '.join(str(why).split())[:600]}", flush=True)
-            if counts:
-                print(f"{folder.name}: {sum(counts.values())} files: {dict(counts)}", flush=True)
+            files = [file for pattern in patterns for file in folder.rglob(pattern) if accepted(file)]
+            packages.compare(folder, files, lambda file: verdict(file, folder, read, compare), arguments.only)  # noqa: B023
 
 
 if __name__ == "__main__":

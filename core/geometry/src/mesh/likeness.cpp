@@ -157,14 +157,22 @@ template <class Corner> std::vector<Triangle> triangles_of(const Form& form, con
     return triangles;
 }
 
-/// Returns whether the forms have as many parts, vertices and triangles, and primitives of the same sizes.
-bool may_be_alike(const Form& of, const Form& image, double tolerance) {
-    return std::equal(of.begin(), of.end(), image.begin(), image.end(), [&](const FormPart& a, const FormPart& b) {
+/// Returns whether the forms have as many parts, vertices and triangles, and primitives where the other has them. Most
+/// forms differ in these, which takes no look at the points.
+bool same_counts(const Form& of, const Form& image) {
+    return std::equal(of.begin(), of.end(), image.begin(), image.end(), [](const FormPart& a, const FormPart& b) {
         if (!a.mesh || !b.mesh) {
-            return !a.mesh && !b.mesh && same_size(a.primitive, b.primitive, tolerance);
+            return !a.mesh && !b.mesh;
         }
         return a.mesh->vertices.size() == b.mesh->vertices.size() &&
                a.mesh->triangles.size() == b.mesh->triangles.size();
+    });
+}
+
+/// Returns whether the primitives have the same sizes. Precondition: same_counts().
+bool same_sizes(const Form& of, const Form& image, double tolerance) {
+    return std::equal(of.begin(), of.end(), image.begin(), [&](const FormPart& a, const FormPart& b) {
+        return a.mesh || same_size(a.primitive, b.primitive, tolerance);
     });
 }
 
@@ -224,9 +232,12 @@ Elements imaged(Elements elements, const Likeness& likeness) {
 
 std::optional<Likeness> likeness(const Form& of, const Form& image) {
     constexpr double share = 2e-6; // single precision, some decimals of a text format
+    if (!same_counts(of, image)) {
+        return {};
+    }
     const Landmarks marks(of), images(image);
     const double tolerance = share * images.diagonal;
-    if (!(tolerance > 0) || !may_be_alike(of, image, tolerance)) {
+    if (!(tolerance > 0) || !same_sizes(of, image, tolerance)) {
         return {};
     }
     const PointIndex index(images, tolerance);

@@ -136,16 +136,21 @@ struct Deciding {
     Digest all;
 };
 
+/// Adds the calls that make and refine a link's elements.
+static void add_calls(Hasher& hasher, const Workspace& workspace, const LinkWork& link) {
+    add_call(hasher, link.recipe.spherizer, workspace.registry);
+    for (const StageCall& refiner : link.recipe.refiners) {
+        add_call(hasher, refiner, workspace.registry);
+    }
+}
+
 /// Returns the digest of what the recipe asks for a group: its calls and what bounds their result.
 static Digest settings_of(const Workspace& workspace, const LinkWork& link) {
     Hasher hasher;
     for (const StageCall& filter : link.recipe.filters) {
         add_call(hasher, filter, workspace.registry);
     }
-    add_call(hasher, link.recipe.spherizer, workspace.registry);
-    for (const StageCall& refiner : link.recipe.refiners) {
-        add_call(hasher, refiner, workspace.registry);
-    }
+    add_calls(hasher, workspace, link);
     hasher.add(link.recipe.hollow == Hollow::fill ? "fill" : "keep");
     hasher.add(link.covers == Covers::surface ? "surface" : "solid");
     hasher.add(static_cast<std::uint64_t>(link.recipe.min_spheres));
@@ -158,10 +163,7 @@ static Digest settings_of(const Workspace& workspace, const LinkWork& link) {
 static Deciding deciding_of(const Workspace& workspace, const LinkWork& link, const Group& group,
                             const geometry::OwnFrame& frame) {
     Hasher hasher;
-    add_call(hasher, link.recipe.spherizer, workspace.registry);
-    for (const StageCall& refiner : link.recipe.refiners) {
-        add_call(hasher, refiner, workspace.registry);
-    }
+    add_calls(hasher, workspace, link);
     const bool raw = original_only(workspace, link.recipe.spherizer);
     for (const std::size_t e : group.elements) {
         const CollisionElement& element = link.elements[e];
