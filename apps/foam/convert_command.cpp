@@ -1,5 +1,6 @@
 // foam convert: a sphere model from any format that is read to any that is written.
 #include "commands.hpp"
+#include "engine_option.hpp"
 #include "execute.hpp"
 #include "judge.hpp"
 
@@ -24,7 +25,7 @@ namespace foam::cli {
 namespace {
 
 struct ConvertArguments {
-    std::string model, robot, output, format, reader, into, base_link, covers = "solid";
+    std::string model, robot, output, format, engine, reader, into, base_link, covers = "solid";
     RobotOptions options;
     std::vector<std::string> pose, renames, packages, settings;
     std::size_t threads = 0;
@@ -139,14 +140,21 @@ void write_files(const std::vector<WrittenFile>& files, const Original* original
 int convert(Program& program, const ConvertArguments& arguments) {
     const ThreadLimit limit(arguments.threads);
     const Registry& registry = program.registry();
+    const Engine* engine = arguments.engine.empty() ? nullptr : &engine_named(arguments.engine);
     const RegisteredStage& format =
-        writer_for(arguments.format.empty() ? ending_of_output(arguments.output) : arguments.format, registry);
+        writer_for(engine                     ? format_for(*engine, arguments.format, arguments.output, registry)
+                   : arguments.format.empty() ? ending_of_output(arguments.output)
+                                              : arguments.format,
+                   registry);
     const bool in_place = is_same_file(arguments.into, arguments.output);
     for (const std::filesystem::path& target : files_of(format.info, arguments.output)) {
         refuse_overwriting(target, {arguments.model, arguments.robot, in_place ? "" : arguments.into},
                            arguments.force || in_place);
     }
-    const auto parameters = parameters_of(arguments.settings, format.info);
+    auto parameters = parameters_of(arguments.settings, format.info);
+    if (engine && asks_for_engine(format.info, *engine)) {
+        parameters.emplace("engine", std::string(engine->name));
+    }
     const auto writer = registry.make<Writer>(format.info.name, parameters);
     // A file that gets its own spheres keeps its buffer.
     SphereFile file =
@@ -191,7 +199,8 @@ int convert(Program& program, const ConvertArguments& arguments) {
                       counts_text(kinds), counted(model.groups.size(), "link"), names_text(files),
                       format.info.name,
                       elsewhere ? "The file holds no elements, only their pairs of links. Of the elements: " : "",
-                      elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)));
+                      elsewhere ? proof.front() : static_cast<char>(std::toupper(proof.front())), proof.substr(1)) +
+          text_about_written(parameters, arguments.engine));
     return 0;
 }
 
@@ -221,6 +230,7 @@ void add_convert(Program& program) {
         ->required();
     command->add_option("--format", arguments->format, "Format of the output: curobo, xrdf, srdf, mjcf, pyroki, …")
         ->type_name("FORMAT");
+    add_engine(*command, arguments->engine);
     add_packages(*command, arguments->packages);
     add_reader(*command, arguments->reader);
     add_covers(*command, arguments->covers,

@@ -1,7 +1,11 @@
 // foam formats: what is read and written.
 #include "commands.hpp"
+#include "engine_option.hpp"
+
+#include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -30,6 +34,10 @@ std::map<std::string, Format> formats_of(const Registry& registry) {
     return formats;
 }
 
+bool reads(const Engine& engine, const std::string& writer) {
+    return std::find(engine.writers.begin(), engine.writers.end(), writer) != engine.writers.end();
+}
+
 nlohmann::ordered_json json_of_formats(const std::map<std::string, Format>& formats) {
     auto json = nlohmann::ordered_json::array();
     for (const auto& [name, format] : formats) {
@@ -44,6 +52,12 @@ nlohmann::ordered_json json_of_formats(const std::map<std::string, Format>& form
             entry["lists_pairs_if"] = consumer.pairs_if;
             entry["companions"] = format.writes->companions;
             entry["float32"] = consumer.float32;
+            entry["engines"] = nlohmann::ordered_json::array();
+            for (const Engine& engine : engines()) {
+                if (reads(engine, format.writes->name)) {
+                    entry["engines"].push_back(engine.name);
+                }
+            }
         }
         json.push_back(std::move(entry));
     }
@@ -67,25 +81,50 @@ std::string table_of_formats(const std::map<std::string, Format>& formats) {
     return table;
 }
 
+std::string table_of_engines() {
+    std::string table = fmt::format("{:<10} {:<32} {:<15} {}\n", "--for", "program", "format", "kinds");
+    for (const Engine& engine : engines()) {
+        std::vector<std::string_view> formats;
+        for (const std::string_view writer : engine.writers) {
+            formats.push_back(writer.substr(writer.find('.') + 1));
+        }
+        table += fmt::format("{:<10} {:<32} {:<15} {}\n", engine.name, engine.title,
+                             fmt::format("{}", fmt::join(formats, ", ")),
+                             engine.kinds == every_kind() ? "all" : words_of(engine.kinds));
+    }
+    return table;
+}
+
 } // namespace
 
 void add_formats(Program& program) {
     CLI::App* command = add_command(program, "formats", "List the formats of sphere models that are read and written",
                                     "  foam formats\n"
+                                    "  foam formats --for pybullet\n"
                                     "  foam formats --json\n"
                                     "\n"
                                     "into: spheres are replaced in a file of the user, the rest keeps its bytes.\n"
                                     "pairs: the format lists the pairs of links that need no check; a word is the\n"
-                                    "parameter of the writer that switches them on.");
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "Print the formats as JSON");
-    command->callback([&program, json] {
-        program.action = [&program, json] {
+                                    "parameter of the writer that switches them on.\n"
+                                    "--for: programs that `foam spherize`, `approximate` and `convert` write for.");
+    struct Arguments {
+        bool json = false;
+        std::string engine;
+    };
+    auto arguments = std::make_shared<Arguments>();
+    CLI::Option* json = command->add_flag("--json", arguments->json, "Print the formats as JSON");
+    command->add_option("--for", arguments->engine, "Say what this program takes away, and what foam does about it")
+        ->type_name("ENGINE")
+        ->excludes(json);
+    command->callback([&program, arguments] {
+        program.action = [&program, arguments] {
             const std::map<std::string, Format> formats = formats_of(program.registry());
-            if (*json) {
+            if (!arguments->engine.empty()) {
+                print(text_about(engine_named(arguments->engine)));
+            } else if (arguments->json) {
                 print_json(json_of_formats(formats));
             } else {
-                print(table_of_formats(formats));
+                print(table_of_formats(formats) + "\n" + table_of_engines());
             }
             return 0;
         };

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "engine_option.hpp"
 #include "execute.hpp"
 #include "judge.hpp"
 
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct SpherizeArguments {
     bool elements = false; ///< of any kind: foam approximate
-    std::string input, method, output, format, run_dir;
+    std::string input, method, output, format, engine, run_dir;
     std::vector<std::string> kinds, costs;
     std::string objective, effort;
     std::optional<std::uint64_t> seed;
@@ -54,6 +55,10 @@ fs::path output_file(const SpherizeArguments& arguments, const QuickRecipe& reci
 }
 
 std::string output_ending(const SpherizeArguments& arguments, const Registry& registry) {
+    if (!arguments.engine.empty()) {
+        return format_for(engine_named(arguments.engine), arguments.format,
+                          to_stdout(arguments) ? "" : arguments.output, registry);
+    }
     if (!arguments.format.empty()) {
         return arguments.format;
     }
@@ -70,6 +75,15 @@ std::string output_ending(const SpherizeArguments& arguments, const Registry& re
                                 arguments.output, arguments.output));
     }
     return extension.substr(1);
+}
+
+/// Returns costs by the words of a recipe.
+std::map<std::string, double> costs_in_words(const ElementCost& cost) {
+    std::map<std::string, double> costs{{"hull_vertex", cost.of_hull_vertex}};
+    for (const Element::Kind kind : every_kind()) {
+        costs[to_string(kind)] = cost.of_kind[static_cast<std::size_t>(kind)];
+    }
+    return costs;
 }
 
 QuickBudget budget_of(const SpherizeArguments& arguments) {
@@ -93,7 +107,21 @@ QuickBudget budget_of(const SpherizeArguments& arguments) {
         }
         budget.costs[text.substr(0, equals)] = *cost;
     }
+    if (budget.cost && budget.costs.empty() && !arguments.engine.empty()) {
+        budget.costs = costs_in_words(engine_named(arguments.engine).cost);
+    }
     return budget;
+}
+
+/// Throws Error(usage) for hulls beside other kinds, if the engine takes hulls of few vertices alone: only a stage for
+/// hulls has a parameter for them.
+void require_few_vertices(const Engine& engine, const std::vector<Element::Kind>& kinds) {
+    if (engine.most_hull_vertices > 0 && kinds.size() > 1 && knows_all(kinds, {Element::Kind::hull})) {
+        throw Error(ErrorCode::usage,
+                    fmt::format("--for {}: {} takes hulls of at most {} vertices, which foam makes where they are the "
+                                "only kind; remedy: --with hull, or other kinds",
+                                engine.name, engine.title, engine.most_hull_vertices));
+    }
 }
 
 QuickMethod method_of(const SpherizeArguments& arguments) {
@@ -103,15 +131,39 @@ QuickMethod method_of(const SpherizeArguments& arguments) {
         return spherizer;
     }
     std::vector<Element::Kind> kinds = kinds_named(arguments.kinds, "--with");
+    const Engine* engine = arguments.engine.empty() ? nullptr : &engine_named(arguments.engine);
     if (kinds.empty() && arguments.method.empty()) {
         kinds = {Element::Kind::sphere, Element::Kind::capsule, Element::Kind::box};
+        std::erase_if(kinds, [&](Element::Kind kind) { return engine && !knows_all(engine->kinds, {kind}); });
+    }
+    if (engine) {
+        require_kinds(*engine, kinds);
+        require_few_vertices(*engine, kinds);
     }
     return {arguments.method, std::move(kinds), arguments.objective};
 }
 
-/// Returns the settings of --set, and those that other options stand for; --set has the last word.
-std::vector<std::string> all_settings(const SpherizeArguments& arguments, const StageInfo& stage) {
+/// Returns the settings that --for stands for. `stage`: that makes the elements.
+std::vector<std::string> settings_for_engine(const Engine& engine, const StageInfo& stage, const StageInfo& writer) {
     std::vector<std::string> settings;
+    if (asks_for_engine(writer, engine)) {
+        settings.push_back(fmt::format("outputs.{}.engine={}", writer.name, engine.name));
+    }
+    const bool makes_hulls = std::any_of(stage.parameters.begin(), stage.parameters.end(),
+                                         [](const Parameter& parameter) { return parameter.name == "max_vertices"; });
+    if (makes_hulls && engine.most_hull_vertices > 0) {
+        settings.push_back(fmt::format("stages.{}.max_vertices={}", stage.name, engine.most_hull_vertices));
+    }
+    return settings;
+}
+
+/// Returns the settings of --set, and those that other options stand for; --set has the last word.
+std::vector<std::string> all_settings(const SpherizeArguments& arguments, const StageInfo& stage,
+                                      const StageInfo& writer) {
+    std::vector<std::string> settings;
+    if (!arguments.engine.empty()) {
+        settings = settings_for_engine(engine_named(arguments.engine), stage, writer);
+    }
     if (!arguments.effort.empty()) {
         const bool has = std::any_of(stage.parameters.begin(), stage.parameters.end(),
                                      [](const Parameter& parameter) { return parameter.name == "effort"; });
@@ -231,7 +283,8 @@ int run_quick(const SpherizeArguments& arguments, const Recipe& recipe, const Qu
         print_json(json);
     } else if (!options.quiet) {
         print(table_of(result, recipe.guarantee) +
-              fmt::format("Written: {} ({:.2f} s)\n", names_text(files), result.seconds));
+              fmt::format("Written: {} ({:.2f} s)\n", names_text(files), result.seconds) +
+              text_about_written(output.writer.given, arguments.engine));
     }
     return exit_code_of(result);
 }
@@ -257,13 +310,15 @@ int spherize(Program& program, const SpherizeArguments& arguments) {
         require_no_name(arguments, registry);
     }
     require_file(arguments.input);
-    const QuickRecipe quick = quick_recipe(arguments.input, method_of(arguments), output_ending(arguments, registry),
+    const std::string format = output_ending(arguments, registry);
+    const QuickRecipe quick = quick_recipe(arguments.input, method_of(arguments), format,
                                            budget_of(arguments), arguments.unit, arguments.robot.geometry, registry,
                                            choices_of(arguments.robot));
     for (const std::string& stage : quick.left_out) {
         tell(fmt::format("warning: no plugin offers {}; it is skipped", stage));
     }
-    const std::vector<std::string> settings = all_settings(arguments, registry.find(quick.stage)->info);
+    const std::vector<std::string> settings =
+        all_settings(arguments, registry.find(quick.stage)->info, writer_for(format, registry).info);
     const RecipeResult read = parse_recipe(quick.text, quick.name + ".yaml", registry, settings_of(settings));
     require_ok(read, arguments.input);
     if (arguments.print_recipe) {
@@ -308,6 +363,7 @@ void add_output_options(CLI::App& command, SpherizeArguments& arguments, const s
         .add_option("--format", arguments.format,
                     "Format of the output, regardless of its extension: urdf, json, csv, ply, …")
         ->type_name("FORMAT");
+    add_engine(command, arguments.engine);
     add_run_directory(command, arguments.run_dir, "Keep the whole run directory in this folder");
 }
 
@@ -369,7 +425,8 @@ void add_element_options(CLI::App& command, SpherizeArguments& arguments) {
         ->delimiter(',');
     command
         .add_option("--cost", arguments.budget.cost,
-                    "Maximum cost of checking all elements of the robot, instead of their number")
+                    "Maximum cost of checking all elements of the robot, instead of their number; --for has the prices "
+                    "of its program")
         ->type_name("C")
         ->check(number_above(0));
     command

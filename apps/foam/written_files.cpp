@@ -37,7 +37,11 @@ std::optional<ParameterValue> value_of(const std::string& text, const Parameter&
     return text;
 }
 
-const Parameter& parameter_of(const std::string& name, const StageInfo& writer) {
+/// Returns the parameter of a name, or of its path in a recipe, outputs.write.urdf.level, as `foam spherize` has it.
+const Parameter& parameter_of(std::string name, const StageInfo& writer) {
+    if (const std::string path = "outputs." + writer.name + "."; name.starts_with(path)) {
+        name.erase(0, path.size());
+    }
     std::vector<std::string> known;
     for (const Parameter& parameter : writer.parameters) {
         if (parameter.name == name) {

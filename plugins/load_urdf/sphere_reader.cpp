@@ -63,16 +63,16 @@ std::optional<Element> SphereReader::read_hull(const MeshReference& mesh, std::s
 
 void SphereReader::read_link(const Link& link, SphereFile& result, Context& context) const {
     std::set<std::string> left_out;
-    Elements elements;
+    std::vector<Element> found;
     for (const GeometryElement& collision : link.collisions) {
         if (const auto* primitive = std::get_if<Element>(&collision.geometry)) {
-            elements.add(moved(*primitive, collision.origin));
+            found.push_back(moved(*primitive, collision.origin));
             continue;
         }
         std::string why;
         if (auto hull = read_hull(std::get<MeshReference>(collision.geometry), why, context)) {
             hull->pose = collision.origin;
-            elements.add(*hull);
+            found.push_back(*hull);
         } else {
             left_out.insert(why);
         }
@@ -82,8 +82,8 @@ void SphereReader::read_link(const Link& link, SphereFile& result, Context& cont
                                            "not judged",
                                            link.name, fmt::join(left_out, ", ")));
     }
-    if (elements.size() > 0) {
-        result.links.push_back({link.name, std::move(elements)});
+    if (!found.empty()) {
+        result.links.push_back({link.name, with_joined_capsules(found)});
     }
 }
 

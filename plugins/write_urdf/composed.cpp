@@ -9,6 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <vector>
+
 namespace foam {
 namespace {
 
@@ -67,6 +70,22 @@ void add_element(Lines& lines, const char* tag, const GeometryElement& element) 
     lines.add(2, fmt::format("</{}>", tag));
 }
 
+/// Returns the element, or the parts of a capsule, which plain URDF has no word for; the first keeps the name.
+std::vector<GeometryElement> in_words_of_urdf(const GeometryElement& element) {
+    const auto* primitive = std::get_if<Element>(&element.geometry);
+    if (!primitive || primitive->kind != Element::Kind::capsule) {
+        return {element};
+    }
+    std::vector<GeometryElement> parts;
+    for (Element part : capsule_parts(*primitive)) {
+        GeometryElement& added = parts.emplace_back(element);
+        added.origin = element.origin * std::exchange(part.pose, {});
+        added.geometry = std::move(part);
+        added.name = parts.size() == 1 ? element.name : "";
+    }
+    return parts;
+}
+
 /// Returns whether it is a mesh that a URDF cannot name.
 bool stands_in_no_file(const GeometryElement& element) {
     const auto* mesh = std::get_if<MeshReference>(&element.geometry);
@@ -94,8 +113,10 @@ void add_link(Lines& lines, const Link& link) {
         add_inertial(lines, *link.inertial);
     }
     for (const GeometryElement& visual : link.visuals) {
-        if (!stands_in_no_file(visual)) {
-            add_element(lines, "visual", visual);
+        for (const GeometryElement& part : in_words_of_urdf(visual)) {
+            if (!stands_in_no_file(part)) {
+                add_element(lines, "visual", part);
+            }
         }
     }
     for (const GeometryElement& collision : link.collisions) {
@@ -104,7 +125,9 @@ void add_link(Lines& lines, const Link& link) {
                                                        "elements for it",
                                                        shown(link.name)));
         }
-        add_element(lines, "collision", collision);
+        for (const GeometryElement& part : in_words_of_urdf(collision)) {
+            add_element(lines, "collision", part);
+        }
     }
     lines.add(1, empty ? "" : "</link>");
 }

@@ -51,10 +51,7 @@ std::map<std::string, Elements> XacroWriter::read(const std::string& bytes,
     std::map<std::string, Elements> result;
     for (const xml::Element* macro : root->children_named("xacro:macro")) {
         const std::string* name = macro->attribute("name");
-        Elements elements;
-        for (const xml::Element* collision : macro->children_named("collision")) {
-            add_collision(*collision, beside, elements);
-        }
+        const Elements elements = elements_of_collisions(*macro, beside);
         if (name && name->ends_with(suffix) && elements.size() > 0) {
             result[name->substr(0, name->size() - suffix.size())].add(elements);
         }

@@ -10,6 +10,7 @@
 #include "sphere_urdf.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/plugin.hpp>
 
 namespace foam {
@@ -19,14 +20,23 @@ InertialOf inertial_of(const std::string& word) {
     return word == "keep" ? InertialOf::none : word == "moving" ? InertialOf::moving : InertialOf::all;
 }
 
+bool is_for(const Parameters& parameters, std::string_view engine) {
+    return parameters.text("engine") == engine;
+}
+
 class UrdfWriter final : public Writer {
 public:
     explicit UrdfWriter(const Parameters& parameters)
         : level_(static_cast<int>(parameters.integer("level"))), mesh_paths_(parameters.text("mesh_paths")),
           inertial_(inertial_of(parameters.text("inertial"))), density_(parameters.number("density")),
-          drake_(parameters.boolean("drake")),
+          drake_(parameters.boolean("drake") || is_for(parameters, "drake")),
           proximity_(proximity_properties(parameters.number("mu_static"), parameters.number("mesh_resolution_hint"))) {
-        known_.capsules = parameters.text("capsules") == "element";
+        // They have a word for capsules, and the cylinders of two are not round.
+        const bool own_word = parameters.text("capsules") == "element" || is_for(parameters, "coal") ||
+                              is_for(parameters, "physx") || is_for(parameters, "pybullet");
+        capsule_ = drake_ ? "drake:capsule" : own_word ? "capsule" : "";
+        mesh_paths_ = mesh_paths_ == "rewrite" && is_for(parameters, "pybullet") ? "absolute" : mesh_paths_;
+        known_.engine = engine_of(parameters);
         known_.ellipsoids = drake_;
         known_.segments = segments_of(parameters, "write.urdf");
     }
@@ -39,7 +49,7 @@ public:
         SphereUrdf urdf(model, "write.urdf");
         urdf.put_elements(
             in_known_kinds(elements_by_link(model, level_), known_),
-            {.capsule = drake_ ? "drake:capsule" : "capsule", .declares_convex = drake_, .properties = proximity_},
+            {.capsule = capsule_, .declares_convex = drake_, .properties = proximity_},
             mesh_paths_, context);
         urdf.move_references(mesh_paths_, context);
         if (inertial_ != InertialOf::none) {
@@ -54,7 +64,7 @@ public:
 
     std::map<std::string, Elements>
     read(const std::string& bytes, const std::map<std::string, std::string>& beside) const override {
-        return elements_of_urdf(bytes, beside);
+        return held_by(known_.engine, elements_of_urdf(bytes, beside));
     }
 
     std::map<std::string, std::string> files_beside(const SphereModel& model, Context&) const override {
@@ -67,7 +77,7 @@ private:
     InertialOf inertial_;
     double density_;
     bool drake_;
-    std::string proximity_;
+    std::string capsule_, proximity_;
     KnownKinds known_;
 };
 
@@ -82,11 +92,13 @@ StageInfo info_of_urdf() {
                  .bounds(-1, 32)
                  .doc("Level of the sphere trees that is written: 0 the bounding spheres, -1 the finest.")
                  .source("The finest level is the one that is measured and proved."),
+             engine_parameter("write.urdf"),
              mesh_paths_parameter(),
-             Parameter::choice("capsules", {"element", "as_parts"}, "element")
-                 .doc("element: <capsule> of URDF 1.1, with drake: <drake:capsule>; as_parts: a cylinder and two "
-                      "spheres each, for readers without capsules.")
-                 .source("urdfdom reads <capsule> from 5.1 on, Pinocchio, Newton and Tesseract do, too."),
+             Parameter::choice("capsules", {"as_parts", "element"}, "as_parts")
+                 .doc("as_parts: a capsule is a cylinder and two spheres, which every program reads, and foam reads as "
+                      "one capsule again; element: <capsule> of URDF 1.1. With drake: <drake:capsule> in any case.")
+                 .source("yourdfpy, and urdfdom before 5.1, refuse a robot with <capsule>; Pinocchio, MuJoCo, Drake, "
+                         "PyBullet, Newton and Tesseract read it."),
              segments_parameter(),
              Parameter::choice("inertial", {"keep", "moving", "all"}, "keep")
                  .doc("keep: links without <inertial> stay so. moving: those that a joint moves get that of their "

@@ -95,8 +95,12 @@ std::string shape_text(const Element& element, const UrdfWords& words) {
         return fmt::format("<drake:ellipsoid a=\"{}\" b=\"{}\" c=\"{}\"/>", number_text(element.half.x),
                            number_text(element.half.y), number_text(element.half.z));
     }
-    return fmt::format("<{} radius=\"{}\" length=\"{}\"/>", element.kind == Kind::capsule ? words.capsule : "cylinder",
-                       number_text(element.radius), number_text(2 * element.half.z));
+    const std::string length = number_text(2 * element.half.z);
+    const bool capsule = element.kind == Kind::capsule;
+    // Newton reads `height` (newton/_src/utils/import_urdf.py of 1.8), all others `length`.
+    return fmt::format("<{} radius=\"{}\" length=\"{}\"{}/>", capsule ? words.capsule : "cylinder",
+                       number_text(element.radius), length,
+                       capsule && words.capsule == "capsule" ? fmt::format(" height=\"{}\"", length) : "");
 }
 
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
@@ -116,20 +120,24 @@ std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfW
         }
         const Vec3 rpy = short_roll_pitch_yaw(element.pose);
         const Element stated = stated_at(element, Pose::from_xyz_rpy(element.pose.translation, rpy));
-        result.push_back(collision_element(element.pose.translation, rpy, shape_text(stated, words), words));
+        const bool as_parts = stated.kind == Kind::capsule && words.capsule.empty();
+        for (const Element& part : as_parts ? capsule_parts(stated) : std::vector<Element>{stated}) {
+            result.push_back(collision_element(part.pose.translation, part.kind == Kind::sphere ? Vec3{} : rpy,
+                                               shape_text(part, words), words));
+        }
     }
     return result;
 }
 
-void add_collision(const xml::Element& collision, const std::map<std::string, std::string>& beside,
-                   Elements& elements) {
+static std::optional<Element> element_of(const xml::Element& collision,
+                                         const std::map<std::string, std::string>& beside) {
     const xml::Element* geometry = collision.child("geometry");
     if (!geometry || geometry->children.empty()) {
-        return;
+        return {};
     }
     std::optional<Element> element = read_shape(*geometry->children.front(), beside);
     if (!element) {
-        return;
+        return {};
     }
     if (const xml::Element* origin = collision.child("origin")) {
         const Vec3 xyz = read_vector(*origin, "xyz", "0 0 0");
@@ -137,7 +145,17 @@ void add_collision(const xml::Element& collision, const std::map<std::string, st
         element->pose = element->kind == Kind::sphere ? Pose{.translation = xyz}
                                                       : Pose::from_xyz_rpy(xyz, read_vector(*origin, "rpy", "0 0 0"));
     }
-    elements.add(*element);
+    return element;
+}
+
+Elements elements_of_collisions(const xml::Element& parent, const std::map<std::string, std::string>& beside) {
+    std::vector<Element> found;
+    for (const xml::Element* collision : parent.children_named("collision")) {
+        if (const std::optional<Element> element = element_of(*collision, beside)) {
+            found.push_back(*element);
+        }
+    }
+    return with_joined_capsules(found);
 }
 
 } // namespace foam

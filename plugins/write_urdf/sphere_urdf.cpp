@@ -121,10 +121,7 @@ std::map<std::string, Elements> elements_of_urdf(const std::string& bytes,
     std::map<std::string, Elements> result;
     for (const xml::Element* link : root->children_named("link")) {
         const std::string* name = link->attribute("name");
-        Elements elements;
-        for (const xml::Element* collision : link->children_named("collision")) {
-            add_collision(*collision, beside, elements);
-        }
+        const Elements elements = elements_of_collisions(*link, beside);
         if (name && elements.size() > 0) {
             result[*name].add(elements);
         }

@@ -21,7 +21,7 @@ namespace foam {
 
 /// The words for what plain URDF lacks.
 struct UrdfWords {
-    std::string capsule = "capsule"; ///< of URDF 1.1; Drake: "drake:capsule"
+    std::string capsule{};           ///< "capsule" of URDF 1.1, Drake's "drake:capsule"; empty: a cylinder and spheres
     bool declares_convex = false;    ///< Drake: meshes are declared convex
     std::string properties{};        ///< elements that each <collision> gets besides
 };
@@ -37,10 +37,9 @@ std::string shape_text(const Element& element, const UrdfWords& words);
 std::vector<std::string> collision_elements(const LinkSpheres& link, const UrdfWords& words,
                                             const std::function<std::string()>& uri_of_hull);
 
-/// Adds the element of a <collision> as another program computes it; meshes are looked up in `beside`, others left out.
-/// Throws Error(output) for numbers that are none.
-void add_collision(const xml::Element& collision, const std::map<std::string, std::string>& beside,
-                   Elements& elements);
+/// Returns the elements of the <collision> children as another program computes them; meshes are looked up in `beside`,
+/// others left out. A cylinder and spheres at its ends are one capsule. Throws Error(output) for numbers that are none.
+Elements elements_of_collisions(const xml::Element& parent, const std::map<std::string, std::string>& beside);
 
 /// The file name of a <mesh> or <texture>.
 struct Reference {
@@ -173,6 +172,7 @@ private:
     std::string srdf(const SphereModel& model, Context& context) const;
     std::string job(const SphereModel& model) const;
 
+    const Engine* engine_; ///< null: VAMP's rounding is not made up for
     std::string mesh_paths_, name_, templates_, language_;
     std::int64_t resolution_;
     std::unique_ptr<Writer> srdf_; ///< write.srdf; null if no plugin has it

@@ -2,6 +2,7 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/writing.hpp>
 #include <foam/yaml/write.hpp>
 
@@ -101,7 +102,7 @@ yaml::Value end_effector_of(const std::vector<std::string>& frames) {
 } // namespace
 
 VampWriter::VampWriter(const Parameters& parameters, const StageMaker& maker)
-    : mesh_paths_(parameters.text("mesh_paths")), name_(parameters.text("name")),
+    : engine_(engine_of(parameters)), mesh_paths_(parameters.text("mesh_paths")), name_(parameters.text("name")),
       templates_(parameters.text("templates")), language_(parameters.text("language")),
       resolution_(parameters.integer("resolution")), srdf_(maker.make<Writer>("write.srdf")) {
     if (!name_.empty() && !is_identifier(name_)) {
@@ -114,7 +115,7 @@ VampWriter::VampWriter(const Parameters& parameters, const StageMaker& maker)
 
 std::string VampWriter::write(const SphereModel& model, Context& context) const {
     SphereUrdf urdf(model, "write.vamp");
-    const std::vector<LinkSpheres> links = spheres_by_link(model);
+    const std::vector<LinkSpheres> links = stated_for(engine_, spheres_by_link(model));
     urdf.put_elements(links, {}, mesh_paths_, context);
     require_only_spheres(urdf);
     fix_joints(urdf, context);
@@ -125,7 +126,7 @@ std::string VampWriter::write(const SphereModel& model, Context& context) const 
 }
 
 std::map<std::string, Elements> VampWriter::read(const std::string& bytes, const std::map<std::string, std::string>&) const {
-    return elements_of_urdf(bytes, {});
+    return held_by(engine_, elements_of_urdf(bytes, {}));
 }
 
 std::string VampWriter::companion(const std::string& ending, const SphereModel& model, Context& context) const {
@@ -170,7 +171,8 @@ StageInfo info_of_vamp() {
                        "SRDF, and the job for cricket.",
             .reference = "https://github.com/CoMMALab/cricket",
             .parameters =
-                {Parameter::text("name", "")
+                {engine_parameter("write.vamp"),
+                 Parameter::text("name", "")
                      .doc("Name of the C++ struct; empty: the name of the robot, with '_' for what it cannot hold."),
                  Parameter::integer("resolution", 32)
                      .bounds(1, 100000)

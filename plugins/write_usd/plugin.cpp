@@ -2,6 +2,7 @@
 #include "layer.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/plugin.hpp>
 
 namespace foam::usd {
@@ -14,14 +15,14 @@ public:
                    .sublayer = parameters.text("sublayer"),
                    .inactive = parameters.text("inactive"),
                    .pairs = parameters.boolean("pairs"),
-                   .known = {.segments = segments_of(parameters, "write.usd")}} {}
+                   .known = {.segments = segments_of(parameters, "write.usd"), .engine = engine_of(parameters)}} {}
 
     std::string write(const SphereModel& model, Context&) const override { return layer_text(model, options_); }
 
     std::map<std::string, Elements>
     read(const std::string& bytes, const std::map<std::string, std::string>&) const override {
         try {
-            return elements_of(read_layer(bytes, "USD layer"));
+            return held_by(options_.known.engine, elements_of(read_layer(bytes, "USD layer")));
         } catch (const Error& error) {
             throw Error(ErrorCode::output, error.what());
         }
@@ -54,7 +55,8 @@ FOAM_PLUGIN("write_usd", "1.0", "Apache-2.0") {
                     "in metres.",
          .reference = reference,
          .parameters =
-             {Parameter::text("prim", usual_prim)
+             {foam::engine_parameter("write.usd"),
+              Parameter::text("prim", usual_prim)
                   .doc("Path of a link's prim in the robot's layer; {robot} and {link} stand for the names. A robot that "
                        "was read from USD has its own paths.")
                   .source("The importer of Isaac Sim puts all links below the robot."),

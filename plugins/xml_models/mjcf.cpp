@@ -6,6 +6,7 @@
 #include "mjcf_visuals.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/writing.hpp>
 
 #include <fmt/format.h>
@@ -81,6 +82,7 @@ MjcfWriter::MjcfWriter(const Parameters& parameters, const StageMaker& maker)
       meshes_(maker.make<MeshLoader>("load.mesh")) {
     known_.ellipsoids = true;
     known_.segments = segments_of(parameters, "write.mjcf");
+    known_.engine = engine_of(parameters);
 }
 
 MjcfWriter::~MjcfWriter() = default;
@@ -88,7 +90,10 @@ MjcfWriter::~MjcfWriter() = default;
 std::string MjcfWriter::write(const SphereModel& model, Context& context) const {
     if (model.into) {
         return with_spheres(*model.into, in_known_kinds(elements_by_link(model), known_),
-                            {.all_collision = replaces_collision_, .pairs = pairs_, .found = model.ignored_pairs},
+                            {.all_collision = replaces_collision_,
+                             .pairs = pairs_,
+                             .found = model.ignored_pairs,
+                             .folder = model.folder},
                             context);
     }
     if (const auto own = own_text(model)) {
@@ -135,7 +140,7 @@ std::map<std::string, Elements> MjcfWriter::read(const std::string& bytes,
                                                  const std::map<std::string, std::string>&) const {
     try {
         QuietContext context;
-        return elements_of(MjcfReader().read(bytes, "MJCF", context));
+        return held_by(known_.engine, elements_of(MjcfReader().read(bytes, "MJCF", context)));
     } catch (const Error& error) {
         throw Error(ErrorCode::output, error.what());
     }

@@ -1,4 +1,5 @@
 // Sphere models in XML: SRDF and MJCF, read.* and write.*.
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/plugin.hpp>
 
 #include "mjcf.hpp"
@@ -178,7 +179,8 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
          .summary = "Writes the robot as MJCF: bodies with their elements and visuals, joints, inertias, pairs without "
                     "contact, the rest pose, and actuators.",
          .reference = "https://mujoco.readthedocs.io/en/stable/XMLreference.html",
-         .parameters = {Parameter::choice("base", {"fixed", "free"}, "fixed")
+         .parameters = {foam::engine_parameter("write.mjcf"),
+                        Parameter::choice("base", {"fixed", "free"}, "fixed")
                             .doc("fixed: the base is part of the world; free: it moves freely, as an object does."),
                         Parameter::number("density", 1000)
                             .bounds(1e-3, 1e5)
@@ -200,7 +202,7 @@ FOAM_PLUGIN("xml_models", "1.0", "Apache-2.0") {
          .extensions = {"xml", "mjcf"},
          .uses = {"load.mesh"},
          .kinds = foam::every_kind(),
-         .consumer = {.name = "MuJoCo 3.2.5 to 4.0 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
+         .consumer = {.name = "MuJoCo 3.3.0 to 4.0 (a7255075b0)", .pairs = true, .rest_pose = true, .edits = true}});
     enrol.add<SrdfReader>({.name = "read.srdf",
                            .summary = "Reads the spheres of links of an SRDF: link_sphere_approximation.",
                            .reference = "https://github.com/moveit/srdfdom",

@@ -248,9 +248,9 @@ void JudgeWritten::expect_objections_to_a_smaller_element() const {
                                                    : between("\"size\": [", "]"),
                           smaller);
     } else {
-        expect_objections(kind == "box"       ? between("<box size=\"", "\"")
-                          : kind == "capsule" ? between("<capsule radius=\"", "\"")
-                                              : between("<cylinder radius=\"", "\""),
+        expect_objections(kind.ends_with("box") ? between("<box size=\"", "\"")
+                          : kind == "capsule"   ? between("<capsule radius=\"", "\"")
+                                                : between("<cylinder radius=\"", "\""),
                           smaller);
     }
 }
@@ -288,8 +288,7 @@ TEST_F(JudgeElements, PointsBeyondAnEdgeAreOutside) {
 TEST_F(JudgeElements, HasNoObjectionToCapsulesInParts) {
     write("robot.urdf", small_robot);
     write("bracket.obj", bracket);
-    const Outcome made = foam("approximate robot.urdf -n 8 --with capsule --set outputs.write.urdf.capsules=as_parts "
-                              "-o small.urdf");
+    const Outcome made = foam("approximate robot.urdf -n 8 --with capsule -o small.urdf");
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_THAT(contents(path() / "small.urdf"), HasSubstr("<cylinder"));
     expect(0, "small.urdf", "parts");
@@ -317,14 +316,16 @@ std::string name_of_written(const testing::TestParamInfo<Written>& info) {
     return info.param.name;
 }
 
+constexpr const char* capsules_as_elements = "--with capsule --set outputs.write.urdf.capsules=element";
+
 INSTANTIATE_TEST_SUITE_P(Kinds, JudgeWritten,
                          testing::Values(Written{"box", "--with box", "small.urdf", true},
                                          Written{"box_json", "--with box", "small.json"},
                                          Written{"cylinder", "--with cylinder", "small.urdf", true},
-                                         Written{"capsule", "--with capsule", "small.urdf", true},
+                                         Written{"capsule", capsules_as_elements, "small.urdf", true},
                                          Written{"capsule_json", "--with capsule", "small.json"},
                                          Written{"swept_box", "--with swept_box", "small.json"},
-                                         Written{"swept_box_mesh", "--with swept_box", "small.urdf"},
+                                         Written{"swept_box_as_box", "--with swept_box", "small.urdf"},
                                          Written{"hull", "--with hull", "small.json"},
                                          Written{"hull_mesh", "--with hull", "small.urdf", true}),
                          name_of_written);

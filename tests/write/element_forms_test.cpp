@@ -76,6 +76,45 @@ TEST(CapsuleParts, CoverTheCapsule) {
     }
 }
 
+TEST(JoinedCapsules, LieInTheirPartsAndAreWhatTheyWere) {
+    for (const Element& whole : {capsule(awkward_pose(), 0.5, 0.25), capsule(awkward_pose(), 1e-6, 0.25),
+                                 capsule({}, 10, 0.01), capsule({.translation = {1e6, -1e6, 3}}, 0.3, 0.1)}) {
+        std::vector<Element> parts = capsule_parts(whole);
+        std::sort(parts.begin(), parts.end(), [](const Element& a, const Element& b) { return a.radius < b.radius; });
+        for (int order = 0; order < 3; ++order) {
+            std::rotate(parts.begin(), parts.begin() + 1, parts.end());
+            const Elements joined = with_joined_capsules(parts);
+            ASSERT_EQ(joined.size(), 1U);
+            const Element& found = joined.shaped()[0];
+            EXPECT_EQ(found.kind, Kind::capsule);
+            const double far = norm(whole.pose.translation) + whole.half.z;
+            EXPECT_NEAR(found.radius, whole.radius, 1e-14 * far);
+            EXPECT_NEAR(found.half.z, whole.half.z, 1e-14 * far);
+            for (const Vec3& point : points_of(found, 2000)) {
+                EXPECT_TRUE(covered(point, {{}, parts}, 1e-15 * (1 + far)));
+            }
+        }
+    }
+}
+
+TEST(JoinedCapsules, OtherNeighboursStayAsTheyAre) {
+    const std::vector<Element> parts = capsule_parts(capsule(awkward_pose(), 0.5, 0.25));
+    const auto count = [](std::vector<Element> elements) { return with_joined_capsules(elements).size(); };
+    const auto with = [&](auto change) {
+        std::vector<Element> changed = parts;
+        change(changed);
+        return changed;
+    };
+    EXPECT_EQ(count({parts[1], parts[0]}), 2U);
+    EXPECT_EQ(count({parts[0], parts[1], parts[1]}), 3U) << "twice the same end";
+    EXPECT_EQ(count({parts[0], parts[2], parts[0], parts[1]}), 2U) << "the first cylinder is left alone";
+    EXPECT_EQ(count(with([](auto& p) { p[2].radius *= 0.999; })), 3U);
+    EXPECT_EQ(count(with([](auto& p) { p[1].pose.translation.x += 1e-9; })), 3U);
+    EXPECT_EQ(count(with([](auto& p) { p[0].half.z += 1e-4; })), 3U) << "its rim is outside the capsule";
+    EXPECT_EQ(count(with([](auto& p) { p[0].half.z -= 1e-4; })), 3U) << "there is a gap";
+    EXPECT_EQ(count({parts[0], parts[1], parts[2], parts[1], parts[0], parts[2]}), 2U);
+}
+
 TEST(EnclosingHull, ContainsASweptBox) {
     for (const int segments : {4, 8, 16}) {
         for (const Element& element : {swept_box(awkward_pose(), {0.1, 0.2, 0.3}, 0.1), swept_box({}, {0, 0, 1}, 0.1),

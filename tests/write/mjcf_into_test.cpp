@@ -262,6 +262,14 @@ TEST_F(MjcfInto, TheRobotsOwnTextIsEditedWithoutInto) {
     EXPECT_THAT(written(), HasSubstr(R"(<body name="camera"><geom contype="0" conaffinity="0" size="0.03"/></body>)"));
 }
 
+TEST_F(MjcfInto, PathsLeadFromTheFolderOfTheOutput) {
+    model.into = TextFile{"/robots/arm.xml", with(theirs, R"(<default>)", R"(<asset><mesh name="a" file="a.obj"/></asset><default>)")};
+    model.folder = "/robots";
+    EXPECT_THAT(written(), Not(HasSubstr("<compiler")));
+    model.folder = "/robots/out";
+    EXPECT_THAT(written(), HasSubstr(R"(<compiler meshdir=".."/>)"));
+}
+
 TEST_F(MjcfInto, IncludedFilesWithGeomsAreMerged) {
     const TemporaryFolder folder;
     const auto file = [&](const char* name, const char* text) { std::ofstream(folder.path() / name) << text; };

@@ -5,6 +5,8 @@
 
 #include <foam/base/file.hpp>
 
+#include <foam/geometry/element_forms.hpp>
+
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -50,7 +52,30 @@ void expect_equal(const Pose& a, const Pose& b) {
     }
 }
 
-void expect_equal(const std::vector<GeometryElement>& a, const std::vector<GeometryElement>& b) {
+/// Returns the elements with capsules in the parts that plain URDF has words for.
+std::vector<GeometryElement> in_parts(const std::vector<GeometryElement>& elements) {
+    std::vector<GeometryElement> result;
+    for (const GeometryElement& element : elements) {
+        const auto* primitive = std::get_if<Element>(&element.geometry);
+        if (!primitive || primitive->kind != Element::Kind::capsule) {
+            result.push_back(element);
+            continue;
+        }
+        for (const Element& part : capsule_parts(*primitive)) {
+            GeometryElement& added = result.emplace_back(element);
+            added.name = part.kind == Element::Kind::cylinder ? element.name : "";
+            added.origin = element.origin * part.pose;
+            Element centred = part;
+            centred.pose = {};
+            added.geometry = centred;
+        }
+    }
+    return result;
+}
+
+/// `whole`: with capsules, `a` with their parts.
+void expect_equal(const std::vector<GeometryElement>& a, const std::vector<GeometryElement>& whole) {
+    const std::vector<GeometryElement> b = in_parts(whole);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(a[i].name, b[i].name);

@@ -3,6 +3,7 @@
 
 #include <foam/base/file.hpp>
 #include <foam/recipe/internal/check.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
@@ -134,6 +135,32 @@ bool holds_elements(const StageItem& writer, const Recipe& recipe, const Checkin
     return false;
 }
 
+/// Refuses an output for a program that collides with none of the elements that the spherizer makes, or for which
+/// spheres inside would grow.
+bool suits_engine(const StageItem& item, const Recipe& recipe, const Checking& checking) {
+    const auto given = item.call.given.find("engine");
+    const RegisteredStage* spherizer = checking.registry.find(recipe.spherizer.stage);
+    if (given == item.call.given.end() || std::get<std::string>(given->second) == "any" || !spherizer) {
+        return true;
+    }
+    const Engine& engine = engine_named(std::get<std::string>(given->second));
+    std::string why;
+    if (engine.stated && recipe.guarantee == Guarantee::inner) {
+        why = fmt::format("for {} elements are written larger, which guarantee: inner does not allow; remedy: engine: "
+                          "any",
+                          engine.title);
+    } else if (std::none_of(spherizer->info.kinds.begin(), spherizer->info.kinds.end(),
+                            [&](Element::Kind kind) { return knows_all(engine.kinds, {kind}); })) {
+        why = fmt::format("foam writes {} for {}, {} makes {}; remedy: another spherizer, or engine: any",
+                          words_of(engine.kinds), engine.title, in_quotes(recipe.spherizer.stage),
+                          words_of(spherizer->info.kinds));
+    }
+    if (!why.empty()) {
+        checking.findings.error(item.name.where, "conflict", why);
+    }
+    return why.empty();
+}
+
 void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
     StageItem item = read_stage_item(value, "outputs", checking);
     const bool edits = item.stage && item.stage->info.consumer.edits;
@@ -148,7 +175,7 @@ void add_output(const Value& value, Recipe& recipe, const Checking& checking) {
                                             in_quotes(item.call.stage), to_string(item.stage->kind)));
         return;
     }
-    if (!holds_elements(item, recipe, checking)) {
+    if (!holds_elements(item, recipe, checking) || !suits_engine(item, recipe, checking)) {
         return;
     }
     const std::string file = output_file(item, recipe, checking);

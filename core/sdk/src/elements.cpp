@@ -2,6 +2,7 @@
 #include <foam/base/text.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/sdk/elements.hpp>
+#include <foam/sdk/engines.hpp>
 #include <foam/sdk/kinds.hpp>
 
 #include <fmt/format.h>
@@ -70,27 +71,74 @@ std::map<std::string, Elements> elements_of(SphereFile file) {
     return result;
 }
 
+/// Returns whether it is a capsule that hardly differs from a sphere. MuJoCo 4 misses boxes that touch capsules whose
+/// half length is 1e-6 m or less.
+static bool is_nearly_round(const Element& element) {
+    constexpr double short_length = 2e-6; // m
+    return element.kind == Kind::capsule &&
+           element.half.z <= std::max(1e-4 * element.radius, std::min(short_length, 1e-2 * element.radius));
+}
+
+/// Returns the box around a swept box of almost no radius, or a hull around the round edges of another.
+static Element box_or_hull(const Element& swept, int segments) {
+    constexpr double almost_none = 1e-2; // of the least half edge
+    const double least = std::min({swept.half.x, swept.half.y, swept.half.z}) + swept.radius;
+    if (swept.radius > almost_none * least) {
+        return enclosing_hull(swept, segments);
+    }
+    Element box = swept;
+    box.kind = Kind::box;
+    box.half = box.half + Vec3{box.radius, box.radius, box.radius};
+    box.radius = 0;
+    return box;
+}
+
+/// Returns an element of a kind that the format knows, or a capsule, which contains the given one.
+static Element in_known_kind(const Element& element, const KnownKinds& known) {
+    if (is_nearly_round(element)) {
+        return {.pose = {.translation = element.pose.translation}, .radius = element.radius + element.half.z};
+    }
+    if (element.kind == Kind::swept_box) {
+        return box_or_hull(element, known.segments);
+    }
+    return element.kind == Kind::ellipsoid && !known.ellipsoids ? enclosing_hull(element, known.segments) : element;
+}
+
+static Elements with_float32_hulls(Elements elements) {
+    for (Element& element : elements.shaped()) {
+        element = element.kind == Kind::hull ? float32_hull(element) : element;
+    }
+    return elements;
+}
+
 std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const KnownKinds& known) {
     for (LinkSpheres& link : links) {
         Elements stated(std::move(link.elements.spheres()));
-        for (const Element& element : link.elements.shaped()) {
-            if (element.kind == Kind::capsule && element.half.z == 0) {
-                stated.add(Sphere{element.pose.translation, element.radius}); // a point, widened
-            } else if (element.kind == Kind::capsule && !known.capsules) {
+        for (const Element& given : link.elements.shaped()) {
+            const Element element = in_known_kind(given, known);
+            if (element.kind == Kind::capsule && !known.capsules) {
                 for (const Element& part : capsule_parts(element)) {
                     stated.add(part);
                 }
-            } else if (element.kind == Kind::swept_box || element.kind == Kind::hull ||
-                       (element.kind == Kind::ellipsoid && !known.ellipsoids)) {
-                const Element hull = enclosing_hull(element, known.segments);
-                stated.add(known.float32_hulls ? float32_hull(hull) : hull);
             } else {
                 stated.add(element);
             }
         }
         link.elements = std::move(stated);
     }
+    links = stated_for(known.engine, std::move(links));
+    for (LinkSpheres& link : links) {
+        if (known.float32_hulls) {
+            link.elements = with_float32_hulls(std::move(link.elements));
+        }
+    }
     return links;
+}
+
+std::size_t least_count(const Elements& elements) {
+    const auto cylinders = std::count_if(elements.shaped().begin(), elements.shaped().end(),
+                                         [](const Element& element) { return element.kind == Kind::cylinder; });
+    return elements.size() - 2 * std::min(static_cast<std::size_t>(cylinders), elements.spheres().size() / 2);
 }
 
 std::string with_provenance(std::string text, const SphereModel& model) {

@@ -67,6 +67,13 @@ std::filesystem::path companion_of(const std::filesystem::path& file, const std:
     return std::filesystem::path(file).replace_extension(ending);
 }
 
+/// Returns whether the parameter `engine` of the writer names this program.
+static bool is_for(const StageInfo& writer, const Parameters& parameters, const std::string& engine) {
+    return std::any_of(writer.parameters.begin(), writer.parameters.end(),
+                       [](const Parameter& declared) { return declared.name == "engine"; }) &&
+           parameters.text("engine") == engine;
+}
+
 bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterValue>& given, bool into) {
     const Consumer& consumer = writer.consumer;
     if (!consumer.pairs) {
@@ -78,7 +85,8 @@ bool lists_pairs(const StageInfo& writer, const std::map<std::string, ParameterV
             return declared.name == "pairs" && declared.type == Parameter::Type::choice;
         });
     return edited ? pair_edit(parameters) != PairEdit::keep
-                  : consumer.pairs_if.empty() || parameters.boolean(consumer.pairs_if);
+                  : consumer.pairs_if.empty() || parameters.boolean(consumer.pairs_if) ||
+                        is_for(writer, parameters, consumer.pairs_if);
 }
 
 SphereFile read_written(const Writer& writer, const std::string& text, const std::filesystem::path& file,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace foam::inline geometry {
 namespace {
@@ -129,6 +130,52 @@ std::vector<Element> capsule_parts(const Element& given) {
         parts.push_back(ball);
     }
     return parts;
+}
+
+/// Returns the capsule of a cylinder and two spheres at its ends, as capsule_parts() and people write it; nothing for
+/// others. It lies in the three: what rounding moved the spheres off the axis is taken from its radius.
+static std::optional<Element> capsule_of(const Element& cylinder, const Element& one, const Element& other) {
+    constexpr double overlap = 2e-5; // of the radius: capsule_parts() makes half of it
+    const double same =
+        32 * std::numeric_limits<double>::epsilon() * (norm(cylinder.pose.translation) + reach_of(cylinder));
+    Element capsule = cylinder;
+    capsule.kind = Element::Kind::capsule;
+    double upper = 0, lower = 0;
+    for (const Element* ball : {&one, &other}) {
+        const Vec3 place = cylinder.pose.inverse() * ball->pose.translation;
+        const double off = std::hypot(place.x, place.y);
+        const double beyond = std::abs(place.z) - cylinder.half.z;
+        if (std::abs(ball->radius - cylinder.radius) > same || off > same || beyond > same ||
+            beyond < -overlap * cylinder.radius) {
+            return {};
+        }
+        (place.z > 0 ? upper : lower) = place.z;
+        capsule.radius = std::min(capsule.radius, ball->radius - off);
+    }
+    capsule.half.z = std::min({upper, -lower, cylinder.half.z});
+    constexpr double rounding = 1e-9; // of the radius: more is lost far from the origin
+    return capsule.half.z > 0 && capsule.radius > (1 - rounding) * cylinder.radius ? std::optional(capsule) : std::nullopt;
+}
+
+Elements with_joined_capsules(std::span<const Element> elements) {
+    const auto joined = [&](std::size_t at) -> std::optional<Element> {
+        for (std::size_t i = 0; i < 3 && at + 3 <= elements.size(); ++i) {
+            const Element &cylinder = elements[at + i], &one = elements[at + (i + 1) % 3],
+                          &other = elements[at + (i + 2) % 3];
+            if (cylinder.kind == Element::Kind::cylinder && one.kind == Element::Kind::sphere &&
+                other.kind == Element::Kind::sphere) {
+                return capsule_of(cylinder, one, other);
+            }
+        }
+        return {};
+    };
+    Elements result;
+    for (std::size_t at = 0; at < elements.size();) {
+        const std::optional<Element> capsule = joined(at);
+        result.add(capsule ? *capsule : elements[at]);
+        at += capsule ? 3 : 1;
+    }
+    return result;
 }
 
 Element enclosing_hull(const Element& element, int segments) {

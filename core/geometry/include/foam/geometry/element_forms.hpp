@@ -3,7 +3,9 @@
 #pragma once
 
 #include <foam/geometry/element.hpp>
+#include <foam/geometry/elements.hpp>
 
+#include <span>
 #include <vector>
 
 namespace foam {
@@ -17,6 +19,9 @@ Element stated_at(Element element, const Pose& pose);
 /// overlaps the spheres by 1e-5 of the radius, so that a proof finds no seam; its edges lie at most 1e-10 of the radius
 /// outside the capsule. Precondition: a capsule.
 std::vector<Element> capsule_parts(const Element& capsule);
+/// Returns the elements with one capsule for each three in a row that are its parts: a cylinder, and two spheres of its
+/// radius at its ends, in any order. Each capsule lies in its parts. Others stay. O(elements).
+Elements with_joined_capsules(std::span<const Element> elements);
 
 /// Returns a convex polytope with few vertices that contains the element, for readers that know no such kind, in the
 /// link's frame. Round parts are circumscribed with `segments` around a circle, a multiple of 4.

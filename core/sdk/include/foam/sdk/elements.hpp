@@ -26,6 +26,8 @@ std::map<std::string, Elements> elements_of(SphereFile file);
 /// model: an old one says what was proved of other elements. Other comments stay, as do files without such a line.
 std::string with_provenance(std::string text, const SphereModel& model);
 
+struct Engine;
+
 /// The words of a format that does not know all kinds. What it does not know becomes other elements, which contain it.
 struct KnownKinds {
     bool capsules = true;    ///< else a cylinder and two spheres each
@@ -33,10 +35,15 @@ struct KnownKinds {
     /// Whether meshes are rounded to single precision, as most programs read them: hulls become float32_hull().
     bool float32_hulls = true;
     int segments = 8; ///< around a circle, where a swept box or an ellipsoid becomes a hull
+    const Engine* engine = nullptr; ///< that the file is for; null: any
 };
 /// Returns the links with elements that the format knows: spheres, capsules, cylinders, boxes, hulls, and ellipsoids if
-/// it knows them.
+/// it knows them. A swept box that is nearly a box becomes a box, a capsule that is nearly a sphere a sphere. Then those
+/// for an engine are made as it needs them: stated_for().
 std::vector<LinkSpheres> in_known_kinds(std::vector<LinkSpheres> links, const KnownKinds& known = {});
+
+/// Returns the least number of elements that a file holds for these: a cylinder and two spheres may be one capsule.
+std::size_t least_count(const Elements& elements);
 
 /// The parameter of writers for KnownKinds::segments.
 Parameter segments_parameter();
