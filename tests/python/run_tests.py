@@ -1,6 +1,7 @@
 """Runs a file of tests by pytest.
 
 run_tests.py FILE [PYTHON]   by another Python, with packages of PyPI; 0: passed; 1: failed; 77: a module that it needs is missing
+FOAM_TEST_RESULTS names the file for the results of all tests, as JUnit XML.
 """
 import importlib.util
 import os
@@ -27,5 +28,8 @@ if __name__ == "__main__":
 
     with tempfile.TemporaryDirectory() as folder:  # nothing of the home folder, nothing left beside the tests
         os.environ |= {"XDG_CACHE_HOME": folder, "HYPOTHESIS_STORAGE_DIRECTORY": folder}
-        code = pytest.main(["-q", "-rs", "-p", "no:cacheprovider", "--durations=3", "--basetemp", f"{folder}/tests", file])
+        words = ["-q", "-rs", "-p", "no:cacheprovider", "--durations=3", "--basetemp", f"{folder}/tests", file]
+        if results := os.environ.get("FOAM_TEST_RESULTS"):
+            words.append(f"--junitxml={results}")
+        code = pytest.main(words)
     sys.exit(code)

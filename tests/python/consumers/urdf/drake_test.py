@@ -15,13 +15,27 @@ NUMBERS = {
 }
 
 
-def load(file):
+def parsed(file):
+    """Return builder, plant and scene, to which more can be added."""
     builder = DiagramBuilder()
     plant, scene = AddMultibodyPlantSceneGraph(builder, time_step=0.0)
     Parser(plant).AddModels(str(file))
+    return builder, plant, scene
+
+
+def load(file):
+    builder, plant, scene = parsed(file)
     plant.Finalize()
     diagram = builder.Build()
     return plant, scene.model_inspector(), diagram
+
+
+def place(plant, context, values):
+    """Move the joints to their values by name."""
+    q = plant.GetPositions(context)
+    for name, value in values.items():
+        q[plant.GetJointByName(name).position_start()] = value
+    plant.SetPositions(context, q)
 
 
 @pytest.mark.parametrize("kind", urdf_truth.KINDS)
@@ -33,23 +47,18 @@ def test_places_each_element(models, kind):
         bodies = {name: plant.GetBodyByName(name) for name in truth.elements}
         geometries = {name: plant.GetCollisionGeometriesForBody(body) for name, body in bodies.items()}
         assert sum(map(len, geometries.values())) == truth.count()
-        random = np.random.default_rng(7)
-        for _ in range(20):
-            values = truth.random_values(random)
-            for name, value in truth.all_values(values).items():
-                plant.GetJointByName(name).set_default_positions([value])
-            context = plant.GetMyContextFromRoot(diagram.CreateDefaultContext())
+        for name, elements in truth.elements.items():
+            for (word, sizes, _), geometry in zip(elements, geometries[name], strict=True):
+                shape = inspector.GetShape(geometry)
+                if word == "mesh":
+                    assert isinstance(shape, (drake.Mesh, drake.Convex))
+                else:
+                    for key, value in NUMBERS[type(shape)](shape).items():
+                        np.testing.assert_allclose(value, sizes[key], rtol=1e-12)
+        places = {name: [inspector.GetPoseInFrame(one).GetAsMatrix4() for one in geometries[name]] for name in bodies}
+        for values, expected in urdf_truth.poses(file):
+            place(plant, context, truth.all_values(values))
             base = plant.EvalBodyPoseInWorld(context, plant.GetBodyByName(truth.root)).inverse()
-            expected = truth.element_poses(values)
-            for name, body in bodies.items():
-                at = (base @ plant.EvalBodyPoseInWorld(context, body)).GetAsMatrix4()
-                for i, geometry in enumerate(geometries[name]):
-                    found = at @ inspector.GetPoseInFrame(geometry).GetAsMatrix4()
-                    np.testing.assert_allclose(found, expected[name][i], atol=1e-9, err_msg=f"{file.name} {name} {i}")
-                    word, sizes, _ = truth.elements[name][i]
-                    shape = inspector.GetShape(geometry)
-                    if word == "mesh":
-                        assert isinstance(shape, (drake.Mesh, drake.Convex))
-                    else:
-                        for key, value in NUMBERS[type(shape)](shape).items():
-                            np.testing.assert_allclose(value, sizes[key], rtol=1e-12)
+            at = {name: base @ plant.EvalBodyPoseInWorld(context, body) for name, body in bodies.items()}
+            found = [at[name].GetAsMatrix4() @ one for name in expected for one in places[name]]
+            np.testing.assert_allclose(found, urdf_truth.in_a_row(expected), atol=1e-9, err_msg=file.name)

@@ -33,21 +33,19 @@ def test_places_each_element(models, kind):
         model, geometry = load(file)
         data, placed = model.createData(), pinocchio.GeometryData(geometry)
         assert geometry.ngeoms == truth.count()
-        random = np.random.default_rng(7)
-        for _ in range(20):
-            values = truth.random_values(random)
+        names = [shape.name.rsplit("_", 1) for shape in geometry.geometryObjects]
+        for shape, (name, number) in zip(geometry.geometryObjects, names, strict=True):
+            word, sizes, _ = truth.elements[name][int(number)]
+            found = type(shape.geometry).__name__
+            if word == "mesh":
+                assert found.startswith(("BVHModel", "Convex"))
+            else:
+                for key, value in NUMBERS[found](shape.geometry).items():
+                    np.testing.assert_allclose(value, sizes[key], rtol=1e-15)
+        for values, expected in urdf_truth.poses(file):
             pinocchio.updateGeometryPlacements(
                 model, data, geometry, placed, configuration(model, truth.all_values(values))
             )
-            expected = truth.element_poses(values)
-            for i, shape in enumerate(geometry.geometryObjects):
-                name, number = shape.name.rsplit("_", 1)
-                at = placed.oMg[i].homogeneous
-                np.testing.assert_allclose(at, expected[name][int(number)], atol=1e-9, err_msg=shape.name)
-                word, sizes, _ = truth.elements[name][int(number)]
-                found = type(shape.geometry).__name__
-                if word == "mesh":
-                    assert found.startswith(("BVHModel", "Convex"))
-                else:
-                    for key, value in NUMBERS[found](shape.geometry).items():
-                        np.testing.assert_allclose(value, sizes[key], rtol=1e-15)
+            places = [at.homogeneous for at in placed.oMg]
+            wanted = [expected[name][int(number)] for name, number in names]
+            np.testing.assert_allclose(places, wanted, atol=1e-9, err_msg=file.name)

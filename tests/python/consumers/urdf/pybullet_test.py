@@ -51,22 +51,21 @@ def test_places_each_element(models, client, kind):
         links, joints = names_of(body)
         shapes = {number: pybullet.getCollisionShapeData(body, number) for number in links}
         assert sum(map(len, shapes.values())) == truth.count()
-        random = np.random.default_rng(7)
-        for _ in range(20):
-            values = truth.random_values(random)
+        for number, name in links.items():
+            for shape, (word, sizes, _) in zip(shapes[number], truth.elements.get(name, []), strict=True):
+                assert shape[2] == WORDS[word][0], (file, name)
+                if word != "mesh":
+                    np.testing.assert_allclose(shape[3], WORDS[word][1](sizes), rtol=1e-6, atol=1e-9)
+        places = {name: [matrix(*shape[5:7]) for shape in shapes[number]] for number, name in links.items()}
+        for values, expected in urdf_truth.poses(file):
             for name, value in truth.all_values(values).items():
                 pybullet.resetJointState(body, joints[name], value)
-            expected = truth.element_poses(values)
+            at = {}  # and the places of elements: by the frame of the link's inertia
             for number, name in links.items():
                 if number == -1:
-                    at = matrix(*pybullet.getBasePositionAndOrientation(body))
+                    at[name] = matrix(*pybullet.getBasePositionAndOrientation(body))
                 else:
-                    at = matrix(*pybullet.getLinkState(body, number, computeForwardKinematics=True)[:2])
-                for i, shape in enumerate(shapes[number]):
-                    found = at @ matrix(shape[5], shape[6])  # both by the frame of the link's inertia
-                    word, sizes, _ = truth.elements[name][i]
-                    assert shape[2] == WORDS[word][0], (file, name)
-                    if word != "mesh":
-                        np.testing.assert_allclose(shape[3], WORDS[word][1](sizes), rtol=1e-6, atol=1e-9)
-                    np.testing.assert_allclose(found, expected[name][i], atol=SINGLE, err_msg=f"{file.name} {name} {i}")
+                    at[name] = matrix(*pybullet.getLinkState(body, number, computeForwardKinematics=True)[:2])
+            found = [at[name] @ one for name in expected for one in places[name]]
+            np.testing.assert_allclose(found, urdf_truth.in_a_row(expected), atol=SINGLE, err_msg=file.name)
         pybullet.removeBody(body)

@@ -1,4 +1,5 @@
 """Robots for the tests of programs that read URDF, and what a written file says, read with nothing of foam."""
+import functools
 import math
 import os
 import subprocess
@@ -78,11 +79,27 @@ def written(robot, kind, folder, *options):
     folder.mkdir(parents=True, exist_ok=True)
     links = len(ET.parse(robot).getroot().findall("link"))
     file = folder / f"{robot.stem}_{kind}.urdf"
-    each = 1 if robot.stem == "panda" else 2
-    words = ["approximate", robot, "--with", kind, "-n", each * links, "--effort", "fast", "-o", file, *options]
-    done = subprocess.run([os.environ["FOAM_TEST_BINARY"], *map(str, words)], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    each = 1 if robot.stem == "panda" or kind == "hull" else 2  # one element is the hull itself
+    foam("approximate", robot, "--with", kind, "-n", each * links, "--effort", "fast", "-o", file, *options)
     return file
+
+
+def foam(*words):
+    """Run foam."""
+    done = started(*words)
+    assert done.returncode == 0, done.stderr
+
+
+def refused(*words):
+    """Run foam, which refuses; return what it says."""
+    done = started(*words)
+    assert done.returncode != 0
+    return done.stderr
+
+
+def started(*words):
+    words = [os.environ["FOAM_TEST_BINARY"], *map(str, words)]
+    return subprocess.run(words, capture_output=True, text=True, check=False)
 
 
 def numbers(element, name, default=""):
@@ -96,6 +113,7 @@ def about(axis, angle):
     return np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross
 
 
+@functools.cache
 def pose(element):
     """Return the matrix of an <origin>; the identity for none."""
     result = np.eye(4)
@@ -167,3 +185,15 @@ class Truth:
         """Return the poses of the elements of each link in the frame of the root."""
         links = self.link_poses(values)
         return {name: [links[name] @ at for _, _, at in elements] for name, elements in self.elements.items()}
+
+
+def in_a_row(by_link):
+    """Return what is told by link without the links."""
+    return [one for found in by_link.values() for one in found]
+
+
+@functools.cache
+def poses(file):
+    """Return ten random poses: the values of joints that follow no other, and the poses of the elements of each link."""
+    truth, random = Truth(file), np.random.default_rng(7)
+    return [(values, truth.element_poses(values)) for values in (truth.random_values(random) for _ in range(10))]
