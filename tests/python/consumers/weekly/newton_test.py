@@ -84,8 +84,8 @@ def test_places_each_element(models, kind, ending):
     for robot, urdf, file in files(models, kind, ending):
         truth, found = urdf_truth.Truth(urdf), Loaded(file)
         assert len(found.shapes) == truth.count()
-        if kind in ("hull", "swept_box"):
-            assert found.types == {HULLS[ending]}, robot
+        if kind in ("hull", "swept_box"):  # a swept box of almost no radius is a box
+            assert found.types - {TYPE.BOX if kind == "swept_box" else None} <= {HULLS[ending]}, robot
         expected, random = Reaches(urdf, truth), np.random.default_rng(7)
         for _ in range(10):
             values = truth.random_values(random)
