@@ -106,9 +106,15 @@ struct FoldersOfFiles {
     std::set<std::string> elements;
 };
 
+/// Returns whether the element names a file: `file`, or one of the six of a texture around a cube.
+bool names_file(const xml::Element& element) {
+    constexpr std::array words{"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"};
+    return std::ranges::any_of(words, [&](const char* word) { return element.attribute(word) != nullptr; });
+}
+
 /// Returns whether an element below has a file.
 bool has_files(const xml::Element& element, const std::set<std::string>& elements) {
-    return (element.attribute("file") && elements.contains(element.name)) || element.name == "include" ||
+    return (elements.contains(element.name) && names_file(element)) || element.name == "include" ||
            std::ranges::any_of(element.children, [&](const auto& child) { return has_files(*child, elements); });
 }
 

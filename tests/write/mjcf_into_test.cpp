@@ -268,6 +268,8 @@ TEST_F(MjcfInto, PathsLeadFromTheFolderOfTheOutput) {
     EXPECT_THAT(written(), Not(HasSubstr("<compiler")));
     model.folder = "/robots/out";
     EXPECT_THAT(written(), HasSubstr(R"(<compiler meshdir=".."/>)"));
+    model.into->text = with(theirs, R"(<default>)", R"(<asset><texture type="skybox" fileup="sky.png"/></asset><default>)");
+    EXPECT_THAT(written(), HasSubstr(R"(<compiler texturedir=".."/>)"));
 }
 
 TEST_F(MjcfInto, IncludedFilesWithGeomsAreMerged) {
