@@ -79,11 +79,11 @@ def in_coal(file, pairs, poses):
             if links[i] != links[k] and frozenset((links[i], links[k])) not in ignored:
                 geometry.addCollisionPair(pinocchio.CollisionPair(k, i))
     data, placed = model.createData(), pinocchio.GeometryData(geometry)
-    random = np.random.default_rng(1)
+    pinocchio.seed(1)
     low, high = np.maximum(model.lowerPositionLimit, -3), np.minimum(model.upperPositionLimit, 3)
     used = 0
     for _ in range(poses):
-        q = pinocchio.neutral(model) if model.nq != model.nv else random.uniform(low, high)
+        q = pinocchio.randomConfiguration(model, low, high)  # a continuous joint has two numbers, of any angle
         start = clock()
         pinocchio.computeCollisions(model, data, geometry, placed, q, False)
         used += clock() - start
@@ -326,7 +326,8 @@ Checks and steps per second, in multiples of the original collision meshes: medi
 - A check is one of {poses} random poses: the links are placed, and compared with each other, but for pairs that need no check, and with
   ten balls and boxes.
 - A step is one of {steps} of simulation: the robot falls, and ten bodies fall on it. More shapes in contact make steps slower.
-- Times are CPU times of one thread. Single ratios scatter by a fifth.
+- Times are CPU times of one thread, on a busy machine. Medians of two runs differed by up to a factor of two: read them to one digit, and
+  small differences not at all.
 - The models have five spheres, two capsules, two boxes or two hulls for each link with geometry: `--effort fast`, `--for` the program.
 - The meshes are not the same for all. MuJoCo and Bullet take the convex hull of each, which forbids what the mesh leaves free. coal takes
   the triangles, which are hollow. Models are solid.
