@@ -32,6 +32,7 @@ PLURALS = {"sphere": "spheres", "capsule": "capsules", "cylinder": "cylinders", 
 PROGRAMS = {"coal": "coal", "mujoco": "MuJoCo", "pybullet": "Bullet"}
 SPHERES, BOXES = 5, 5  #: obstacles
 STEPS = 500
+REPEATS = 3
 
 
 # What runs in PYTHON: one program, one model.
@@ -277,19 +278,30 @@ class Bench:
         words = [self.arguments.python, __file__, "--measure", *words]
         return subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False, env=self.environment)
 
-    def add(self, robot, model, program, file, excess, pairs):
+    def add(self, robot, jobs, pairs):
+        """Measure each model in turn, REPEATS times; add the medians."""
+        found = {}
+        for _ in range(REPEATS):
+            for model, program, file, excess in jobs:
+                if figures := self.figures(robot, model, program, file, pairs):
+                    found.setdefault((model, program, excess), []).append(figures)
+        for (model, program, excess), repeats in found.items():
+            medians = {key: statistics.median(one[key] for one in repeats) for key in repeats[0]}
+            self.rows.append({"robot": robot, "model": model, "program": program, "excess": excess, **medians})
+            print(self.rows[-1], flush=True)
+
+    def figures(self, robot, model, program, file, pairs):
+        """Return what one program makes of one model; nothing, with a line about it, where it cannot."""
         done = self.in_python(program, file, json.dumps(pairs), self.arguments.poses)
         if done.returncode != 0:
             print(f"{robot} {model} {program}: {done.stderr.strip().splitlines()[-1]}", flush=True)
-            return
-        figures = json.loads([line for line in done.stdout.splitlines() if line.startswith("{")][-1])  # PyBullet prints, too
-        self.rows.append({"robot": robot, "model": model, "program": program, "excess": excess, **figures})
-        print(self.rows[-1], flush=True)
+            return None
+        return json.loads([line for line in done.stdout.splitlines() if line.startswith("{")][-1])  # PyBullet prints, too
 
     def measure(self, robot, folder):
         file = self.arguments.shared / "robots" / ROBOTS[robot]
         links = sum(1 for link in json.loads(self.foam("info", "--json", file))["links"])
-        pairs = []
+        jobs, pairs = [], []
         for kind, each in KINDS.items():
             for program in PROGRAMS:
                 if program == "mujoco":
@@ -303,11 +315,11 @@ class Bench:
                     self.foam("convert", target, file, "-o", folder / "pairs.srdf")
                     pairs = [(one.get("link1"), one.get("link2"))
                              for one in xml.parse(folder / "pairs.srdf").getroot().iter("disable_collisions")]
-                self.add(robot, kind, program, target, excess, pairs)
+                jobs.append((kind, program, target, excess))
         original = folder / "meshes.urdf"
         self.in_python("meshes", file, original).check_returncode()
-        for program in PROGRAMS:
-            self.add(robot, "meshes", program, original, 0, pairs)
+        jobs += [("meshes", program, original, 0) for program in PROGRAMS]
+        self.add(robot, jobs, pairs)
 
     def median_ratio(self, model, program, figure):
         """Return how many times as many as of the original meshes, the median over robots; nothing without any."""
@@ -326,8 +338,8 @@ Checks and steps per second, in multiples of the original collision meshes: medi
 - A check is one of {poses} random poses: the links are placed, and compared with each other, but for pairs that need no check, and with
   ten balls and boxes.
 - A step is one of {steps} of simulation: the robot falls, and ten bodies fall on it. More shapes in contact make steps slower.
-- Times are CPU times of one thread, on a busy machine. Medians of two runs differed by up to a factor of two: read them to one digit, and
-  small differences not at all.
+- Times are CPU times of one thread, on a busy machine: medians of three, the models in turn. Before that two runs differed by up to a
+  factor of two: read the figures to one digit, and small differences not at all.
 - The models have five spheres, two capsules, two boxes or two hulls for each link with geometry: `--effort fast`, `--for` the program.
 - The meshes are not the same for all. MuJoCo and Bullet take the convex hull of each, which forbids what the mesh leaves free. coal takes
   the triangles, which are hollow. Models are solid.
