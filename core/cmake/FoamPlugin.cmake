@@ -1,4 +1,4 @@
-# The two functions of a plugin's CMakeLists.txt. The same file builds the plugin in foam's own tree and out of it, against an
+# The functions of a plugin's CMakeLists.txt. The same file builds the plugin in foam's own tree and out of it, against an
 # installed foam or a built clone:
 #
 #     cmake_minimum_required(VERSION 3.25)
@@ -59,6 +59,36 @@ function(foam_add_plugin NAME)
     set(ARG_COMPONENT runtime)
   endif()
   install(TARGETS ${NAME} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/foam/plugins" COMPONENT ${ARG_COMPONENT})
+endfunction()
+
+# foam_add_late_library(PLUGIN NAME SOURCES file... [LIBRARIES target...])
+#
+# A part of a plugin with libraries that would slow down every start of foam: PLUGIN/libNAME.so in the plugin's folder, which
+# the plugin opens on first use by open_late_library() of foam/sdk/late_library.hpp.
+function(foam_add_late_library PLUGIN NAME)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "" "SOURCES;LIBRARIES")
+  if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_SOURCES OR NOT TARGET ${PLUGIN})
+    message(FATAL_ERROR "foam_add_late_library(PLUGIN NAME SOURCES file... [LIBRARIES target...]) of a plugin PLUGIN: "
+      "got ${PLUGIN} ${NAME} ${ARGN}")
+  endif()
+  get_target_property(FOLDER ${PLUGIN} LIBRARY_OUTPUT_DIRECTORY)
+  if(NOT FOLDER)
+    set(FOLDER "${CMAKE_CURRENT_BINARY_DIR}")
+  endif()
+  add_library(${NAME} MODULE ${ARG_SOURCES})
+  target_include_directories(${NAME} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${NAME} PRIVATE foam::sdk ${ARG_LIBRARIES})
+  if(TARGET foam_compiler) # in tree
+    target_link_libraries(${NAME} PRIVATE foam_compiler)
+  endif()
+  set_target_properties(${NAME} PROPERTIES
+    CXX_EXTENSIONS OFF
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON
+    INSTALL_RPATH "\$ORIGIN/../../.."
+    LIBRARY_OUTPUT_DIRECTORY "${FOLDER}/${PLUGIN}")
+  install(TARGETS ${NAME} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/foam/plugins/${PLUGIN}" COMPONENT runtime)
+  add_dependencies(${PLUGIN} ${NAME})
 endfunction()
 
 # foam_test_plugin(NAME [SAMPLES file...] [SET stage.parameter=value...] [SOURCES file...] [RECIPES file...])

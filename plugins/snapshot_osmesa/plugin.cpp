@@ -2,12 +2,9 @@
 // dependencies would slow down every start of the program tenfold.
 #include "painter.hpp"
 
-#include <foam/base/error.hpp>
+#include <foam/sdk/late_library.hpp>
 #include <foam/sdk/plugin.hpp>
 
-#include <dlfcn.h>
-
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -17,24 +14,11 @@ namespace {
 
 /// Opens the painter library beside this plugin.
 MakePainter load_painter() {
-    Dl_info self{};
-    if (dladdr(reinterpret_cast<const void*>(&load_painter), &self) == 0 || self.dli_fname == nullptr) {
-        throw Error(ErrorCode::internal, "snapshot.osmesa: the place of the plugin's own file is unknown");
-    }
-    const auto file = std::filesystem::weakly_canonical(self.dli_fname).parent_path() / painter_file;
-    // Never closed: graphics drivers leave threads and exit handlers behind.
-    void* library = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
-    if (library == nullptr) {
-        throw Error(ErrorCode::plugin, "snapshot.osmesa: cannot open " + file.string() + ": " + dlerror() +
-                                           "; remedy: install the packages listed for snapshots in dependencies.txt");
-    }
-    void* symbol = dlsym(library, make_painter_name);
-    if (symbol == nullptr) {
-        throw Error(ErrorCode::plugin, "snapshot.osmesa: " + file.string() + " has no entry point " +
-                                           make_painter_name +
-                                           "; remedy: build foam anew, the file is of another version");
-    }
-    return reinterpret_cast<MakePainter>(symbol);
+    const LateLibrary library{.stage = "snapshot.osmesa",
+                              .file = painter_file,
+                              .entry = make_painter_name,
+                              .cure = "install the packages listed for snapshots in dependencies.txt"};
+    return reinterpret_cast<MakePainter>(open_late_library(library, reinterpret_cast<const void*>(&load_painter)));
 }
 
 class OsmesaSnapshot final : public Renderer {

@@ -65,7 +65,10 @@ def place(source, folder):
 def lay_out(package, core, libraries, program, gpl, room):
     """Fills the folders room/main and room/others with what the wheels hold."""
     plugins = sorted(path for path in (libraries / "foam/plugins").glob("*.so") if path not in gpl)
-    closures = {path: carried.libraries_of(path) for path in [core, program, *plugins, *gpl]}
+    # Pictures: the libraries of the painter (OpenCV, OSMesa and 150 that these bring) are those of the system, if it has them.
+    late = sorted((libraries / "foam/plugins").glob("*/*.so"))
+    painters = [path for path in late if path.parent.name == "snapshot_osmesa"]
+    closures = {path: carried.libraries_of(path) for path in [core, program, *plugins, *gpl, *late] if path not in painters}
     own, main, others = {}, {}, {}
     for root, closure in closures.items():
         for name, path in closure.items():
@@ -84,9 +87,8 @@ def lay_out(package, core, libraries, program, gpl, room):
             carried.patch(place(plugin, folder / "foam/lib/foam/plugins"), "$ORIGIN/../..", names)
     for name, path in own.items():
         carried.patch(place(path, room / "main/foam/lib").rename(room / "main/foam/lib" / name), "$ORIGIN", names)
-    # Pictures: its libraries (OpenCV, OSMesa and 150 that these bring) are those of the system, if it has them.
-    for painter in (libraries / "foam/plugins").glob("*/*.so"):
-        carried.patch(place(painter, room / "main/foam/lib/foam/plugins" / painter.parent.name), "$ORIGIN/../../..", names)
+    for path in late:
+        carried.patch(place(path, room / "main/foam/lib/foam/plugins" / path.parent.name), "$ORIGIN/../../..", names)
     carried.patch(place(program, room / "main/foam/bin"), "$ORIGIN/../lib", names)
     shutil.copytree(package, room / "main/foam", dirs_exist_ok=True)
     place(PYTHON / "wheel/_program.py", room / "main/foam")
