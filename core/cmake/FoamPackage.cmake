@@ -13,7 +13,9 @@ foreach(FOLDER IN ITEMS configs apps/foam/templates)
   file(CREATE_LINK "${CMAKE_SOURCE_DIR}/${FOLDER}" "${CMAKE_BINARY_DIR}/share/foam/${NAME}" SYMBOLIC)
 endforeach()
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
-install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime PATTERN html EXCLUDE)
+if(EXISTS "${CMAKE_SOURCE_DIR}/docs") # a source distribution of Python has none
+  install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime PATTERN html EXCLUDE)
+endif()
 # Debian reads the licence of each package in a folder of its name.
 set(FOAM_COPYRIGHT_FOLDER "${CMAKE_INSTALL_DATADIR}/doc")
 install(FILES core/cmake/debian/copyright DESTINATION "${FOAM_COPYRIGHT_FOLDER}/foam" COMPONENT runtime)

@@ -3,6 +3,7 @@
 
 #include "builder.hpp"
 
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ struct Affine {
     static Affine rotation(const Pose& pose) { return {pose.rotation, {}}; }
     /// Returns the rotation by a quaternion of any length; nothing if it is not a rotation.
     static std::optional<Affine> rotation(double x, double y, double z, double w) {
-        const double length = std::hypot(std::hypot(x, y), std::hypot(z, w));
+        const double length = foam::hypot(foam::hypot(x, y), foam::hypot(z, w));
         if (!(length > 0) || !std::isfinite(length)) {
             return std::nullopt;
         }

@@ -14,7 +14,7 @@ def run(*command):
     try:
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout
     except FileNotFoundError:
-        raise SystemExit(f"foam: error: there is no {command[0]}; remedy: apt-get install {command[0]}") from None
+        raise SystemExit(f"foam: error: there is no {command[0]}; remedy: ./foam wheel installs it") from None
 
 
 def libraries_of(path):
@@ -39,13 +39,11 @@ def unique_names(libraries):
 
 
 def patch(library, run_path, names, soname=None):
-    """Makes a library look for others in the run path, under their new names. One change a call: patchelf 0.14 writes broken libraries
-    if it makes several at once."""
+    """Makes a library look for others in the run path, under their new names."""
     needed = run("patchelf", "--print-needed", library).split()
-    changes = [("--replace-needed", name, names[name]) for name in needed if name in names]
-    changes += [("--set-soname", soname)] if soname else []
-    for change in [*changes, ("--set-rpath", run_path)]:
-        run("patchelf", *change, library)
+    changes = [part for name in needed if name in names for part in ("--replace-needed", name, names[name])]
+    changes += ["--set-soname", soname] if soname else []
+    run("patchelf", *changes, "--set-rpath", run_path, library)
 
 
 def packages_of(paths):
@@ -63,13 +61,23 @@ def packages_of(paths):
     return packages
 
 
+def licence_of(package):
+    """The file with the licence of a Debian package."""
+    return pathlib.Path("/usr/share/doc", package, "copyright")
+
+
+def licences_of_packages(packages):
+    """The same for packages by their names."""
+    return {f"{package}.txt": licence_of(package) for package in packages}
+
+
 def licences(libraries):
     """The file with the licence of each Debian package with one of the libraries, by the name it is to have."""
     texts = {}
     packages = packages_of(libraries)
     for path in libraries:
         package = packages.get(path)
-        text = pathlib.Path("/usr/share/doc", package or "", "copyright")
+        text = licence_of(package or "")
         if package and text.is_file():
             texts[f"{package}.txt"] = text
         else:

@@ -1,24 +1,29 @@
-"""Makes the wheels foam-spheres and foam-spheres-gpl from a build folder. The second holds the plugins under the GPL.
+"""Makes the wheels of foam from a build folder: foam-spheres for every Python, and beside it the plugins under the GPL, the names of
+CoMMALab/foam, and pictures.
 
 foam_wheel.py BUILD OUT   prints the wheels that it wrote into the folder OUT
 
-It is also the backend for `pip wheel python/`, which makes the first. The libraries of others that foam needs are carried along; those
-that every Linux has, and those that pictures need, are not. Needs cmake, ldd and patchelf, no network.
+BUILD is configured with FOAM_WHEEL, which ./foam wheel does. The libraries of others that foam needs are carried along; those that every
+Linux has, and those that pictures need, are not. The tag is what auditwheel finds. Needs cmake, ldd, and the packages of
+requirements.txt; no network.
 """
+import json
 import pathlib
 import shutil
 import subprocess
 import sys
-import sysconfig
 import tempfile
 import tomllib
 
 import carried
 import wheel_file
 
-PYTHON = pathlib.Path(__file__).resolve().parent.parent
-ROOT = PYTHON.parent
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 GPL = pathlib.Path("/usr/share/common-licenses/GPL-3")  # of Debian's base-files
+#: The libraries that are linked into foam's, and the Debian packages with their licences.
+WITHIN = ("libexpat1-dev", "libarchive-dev", "libzip-dev", "libcpp-httplib-dev")
+#: The modules of the wheel foam-spheres-commalab.
+OF_COMMALAB = ("_scripts.py", "external.py", "model.py", "utility.py")
 
 
 class Build:
@@ -31,9 +36,11 @@ class Build:
         except OSError as error:
             raise SystemExit(f"foam: error: {self.folder} is not a build folder ({error}); remedy: ./foam wheel builds it")
         self.cache = dict(line.partition("=")[::2] for line in lines if "=" in line and not line.startswith(("#", "//")))
+        if self.value("FOAM_WHEEL") != "ON":
+            raise SystemExit(f"foam: error: {self.folder} was not built for wheels; remedy: ./foam wheel")
 
     def value(self, name):
-        return next(value for key, value in self.cache.items() if key.partition(":")[0] == name)
+        return next((value for key, value in self.cache.items() if key.partition(":")[0] == name), "")
 
     def install(self, prefix, component):
         subprocess.run([self.value("CMAKE_COMMAND"), "--install", self.folder, "--prefix", prefix, "--strip", "--component", component],
@@ -41,20 +48,28 @@ class Build:
         return prefix / self.value("CMAKE_INSTALL_LIBDIR")
 
 
-def gather(build, room):
-    """Installs foam; returns its package, the module in it, the folder of its libraries, its program, and its plugins under the GPL,
-    if it has some."""
-    libraries = build.install(room / "all", "runtime")
-    build.install(room / "all", "python")
-    package = room / "all/lib/python3/dist-packages/foam"
-    core = package / f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
-    if not core.is_file():
-        raise SystemExit(f"foam: error: {build.folder} has no package for Python {sys.version.split()[0]}; remedy: build it with "
-                         f"-DPython_EXECUTABLE={sys.executable} and the Debian packages python3-dev and pybind11-dev")
-    gpl = build.install(room / "gpl", "gpl") / "foam/plugins"
-    # Beside the others they find foam's libraries.
-    moved = [shutil.move(plugin, libraries / "foam/plugins") for plugin in sorted(gpl.glob("*.so"))]
-    return package, core, libraries, room / "all/bin/foam", [pathlib.Path(plugin) for plugin in moved]
+class Installed:
+    """What a build folder installs, as wheels need it."""
+
+    def __init__(self, build, room):
+        self.libraries = build.install(room / "all", "runtime")
+        build.install(room / "all", "python")
+        self.package = room / "all/lib/python3/dist-packages/foam"
+        for module in self.package.glob("_core*.so"):
+            module.unlink()  # for Debian's Python alone
+        build.install(room / "all", "wheel")  # over some of the others
+        self.modules = sorted(self.package.glob("_core*.so"))
+        if not self.modules:
+            raise SystemExit("foam: error: there is no module for any Python; remedy: install the headers of Python 3.10 to 3.14, "
+                             "python3-dev for one")
+        self.program = room / "all/bin/foam"
+        gpl = build.install(room / "gpl", "gpl") / "foam/plugins"
+        # Beside the others they find foam's libraries.
+        self.gpl = [pathlib.Path(shutil.move(plugin, self.libraries / "foam/plugins")) for plugin in sorted(gpl.glob("*.so"))]
+        self.plugins = sorted(path for path in (self.libraries / "foam/plugins").glob("*.so") if path not in self.gpl)
+        late = sorted((self.libraries / "foam/plugins").glob("*/*.so"))
+        self.painters = [path for path in late if path.parent.name == "snapshot_osmesa"]
+        self.late = [path for path in late if path not in self.painters]
 
 
 def place(source, folder):
@@ -62,73 +77,84 @@ def place(source, folder):
     return pathlib.Path(shutil.copy(source, folder))
 
 
-def lay_out(package, core, libraries, program, gpl, room):
-    """Fills the folders room/main and room/others with what the wheels hold."""
-    plugins = sorted(path for path in (libraries / "foam/plugins").glob("*.so") if path not in gpl)
-    # Pictures: the libraries of the painter (OpenCV, OSMesa and 150 that these bring) are those of the system, if it has them.
-    late = sorted((libraries / "foam/plugins").glob("*/*.so"))
-    painters = [path for path in late if path.parent.name == "snapshot_osmesa"]
-    closures = {path: carried.libraries_of(path) for path in [core, program, *plugins, *gpl, *late] if path not in painters}
-    own, main, others = {}, {}, {}
-    for root, closure in closures.items():
-        for name, path in closure.items():
-            if path.is_relative_to(libraries):
-                own[name] = path
-            else:
-                (others if root in gpl else main)[name] = path
-    others = {name: path for name, path in others.items() if name not in main}
+def place_carried(libraries, names, folder):
+    for name, path in libraries.items():
+        library = place(path, folder / "foam/lib").rename(folder / "foam/lib" / names[name])
+        carried.patch(library, "$ORIGIN", names, soname=names[name])
 
-    names = carried.unique_names(main | others)
-    for folder, roots, libraries_of_others in ((room / "main", plugins, main), (room / "others", gpl, others)):
-        for name, path in libraries_of_others.items():
-            library = place(path, folder / "foam/lib").rename(folder / "foam/lib" / names[name])
-            carried.patch(library, "$ORIGIN", names, soname=names[name])
-        for plugin in roots:
-            carried.patch(place(plugin, folder / "foam/lib/foam/plugins"), "$ORIGIN/../..", names)
+
+def lay_out(installed, room):
+    """Fills folders of the room with what the wheels hold: main, gpl, commalab, pictures. Returns the libraries of others in the
+    first two."""
+    main, gpl, own = {}, {}, {}
+    for root in [*installed.modules, installed.program, *installed.plugins, *installed.late, *installed.gpl]:
+        for name, path in carried.libraries_of(root).items():
+            kept = own if path.is_relative_to(installed.libraries) else gpl if root in installed.gpl else main
+            kept[name] = path
+    gpl = {name: path for name, path in gpl.items() if name not in main}
+    names = carried.unique_names(main | gpl)
+    package = room / "main/foam"
+    shutil.copytree(installed.package, package, ignore=shutil.ignore_patterns("__pycache__", *OF_COMMALAB))
+    shutil.copytree(installed.program.parent.parent / "share/foam", package / "share/foam")
+    for name in OF_COMMALAB:
+        place(installed.package / name, room / "commalab/foam")
+
+    place_carried(main, names, room / "main")
+    place_carried(gpl, names, room / "gpl")
     for name, path in own.items():
-        carried.patch(place(path, room / "main/foam/lib").rename(room / "main/foam/lib" / name), "$ORIGIN", names)
-    for path in late:
-        carried.patch(place(path, room / "main/foam/lib/foam/plugins" / path.parent.name), "$ORIGIN/../../..", names)
-    carried.patch(place(program, room / "main/foam/bin"), "$ORIGIN/../lib", names)
-    shutil.copytree(package, room / "main/foam", dirs_exist_ok=True)
-    place(PYTHON / "wheel/_program.py", room / "main/foam")
-    carried.patch(room / "main/foam" / core.name, "$ORIGIN/lib", names)
-    return [*main.values()], [*others.values()]
+        carried.patch(place(path, package / "lib").rename(package / "lib" / name), "$ORIGIN", names)
+    for wheel, plugins in (("main", installed.plugins), ("gpl", installed.gpl)):
+        for plugin in plugins:
+            carried.patch(place(plugin, room / wheel / "foam/lib/foam/plugins"), "$ORIGIN/../..", names)
+    for wheel, libraries in (("main", installed.late), ("pictures", installed.painters)):
+        for path in libraries:
+            folder = room / wheel / "foam/lib/foam/plugins" / path.parent.name
+            carried.patch(place(path, folder), "$ORIGIN/../../..", names)
+    carried.patch(place(installed.program, package / "bin"), "$ORIGIN/../lib", names)
+    for module in installed.modules:
+        carried.patch(package / module.name, "$ORIGIN/lib", names)
+    return [*main.values()], [*gpl.values()]
 
 
-def make_wheels(folder, out, with_gpl=True):
+def main_project(project):
+    """The description of the first wheel: without the scripts of another."""
+    others = project["tool"]["foam"]["wheels"]["commalab"]["scripts"]
+    about = project["project"]
+    return {**about, "scripts": {name: call for name, call in about["scripts"].items() if name not in others}}
+
+
+def platform_of(wheel):
+    """The platform tag that auditwheel gives a wheel: the oldest Linux that it runs on."""
+    said = carried.run(sys.executable, "-m", "auditwheel", "show", "--json", wheel)
+    return json.loads(said)["overall_tag"]
+
+
+def make_wheels(folder, out):
     """Writes the wheels of a build folder; returns their paths."""
     build = Build(folder)
-    project = tomllib.loads((PYTHON / "pyproject.toml").read_text())
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    first = main_project(project)
     version = build.value("CMAKE_PROJECT_VERSION")
-    wheels = []
+    apache = {"LICENSE": ROOT / "LICENSE"}
     with tempfile.TemporaryDirectory() as name:
         room = pathlib.Path(name)
-        package, core, libraries, program, gpl = gather(build, room)
-        main, others = lay_out(package, core, libraries, program, gpl, room)
-        apache = {"LICENSE": ROOT / "LICENSE"}
-        wheels.append(wheel_file.write(out, room / "main", project["project"], version, apache | carried.licences(main)))
-        if gpl and with_gpl:
-            about = {**project["project"], "scripts": {}, "optional-dependencies": {}, **project["tool"]["foam"]["gpl"], "dependencies": [f"foam-spheres=={version}"]}
-            wheels.append(wheel_file.write(out, room / "others", about, version, {"GPL-3": GPL} | carried.licences(others)))
+        main, gpl = lay_out(Installed(build, room), room)
+        licences = {
+            "main": apache | carried.licences(main) | carried.licences_of_packages(WITHIN),
+            "gpl": {"GPL-3": GPL} | carried.licences(gpl),
+            "commalab": apache,
+            "pictures": apache,
+        }
+        trial = wheel_file.write(room, room / "main", first, version, licences["main"], "py3-none-linux_x86_64")
+        tags = {"main": f"py3-none-{platform_of(trial)}", "commalab": "py3-none-any", "pictures": "py3-none-linux_x86_64"}
+        tags["gpl"] = tags["main"]  # its libraries come from the same build, and it needs those of the first
+        wheels = []
+        for wheel, more in {"main": {}, **project["tool"]["foam"]["wheels"]}.items():
+            if not (room / wheel).is_dir():
+                continue  # built without it
+            about = wheel_file.beside(first, version, more) if more else first
+            wheels.append(wheel_file.write(out, room / wheel, about, version, licences[wheel], tags[wheel]))
     return wheels
-
-
-def get_requires_for_build_wheel(config_settings=None):
-    return []
-
-
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """PEP 517. `build-dir` among the settings: a build folder; by default that of ./foam, built if necessary."""
-    folder = (config_settings or {}).get("build-dir")
-    if not folder:
-        folder = ROOT / "build/release"
-        subprocess.run([ROOT / "foam", "python", "-c", ""], check=True)
-    return make_wheels(folder, wheel_directory, with_gpl=False)[0].name
-
-
-def build_sdist(sdist_directory, config_settings=None):
-    raise NotImplementedError("foam has no source distribution for Python; remedy: a clone, and ./foam wheel")
 
 
 if __name__ == "__main__":

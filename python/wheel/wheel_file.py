@@ -2,17 +2,14 @@
 import base64
 import hashlib
 import pathlib
-import sys
-import sysconfig
 import zipfile
 
 EPOCH = (1980, 1, 1, 0, 0, 0) # the earliest of a zip archive
 
 
-def tag():
-    """Python, ABI and platform that the libraries are for; pybind11 has no stable ABI."""
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+def beside(project, version, more):
+    """The description of a wheel that is installed beside that of a project, of the same version."""
+    return {**project, "scripts": {}, "optional-dependencies": {}, **more, "dependencies": [f"{project['name']}=={version}"]}
 
 
 def metadata(project, version):
@@ -28,11 +25,11 @@ def entry_points(project):
     return "[console_scripts]\n" + "".join(f"{name} = {call}\n" for name, call in sorted(project["scripts"].items()))
 
 
-def information(project, version, licences):
+def information(project, version, licences, tag):
     """The texts of the folder .dist-info, without its list of files."""
     texts = {
         "METADATA": metadata(project, version),
-        "WHEEL": f"Wheel-Version: 1.0\nGenerator: foam\nRoot-Is-Purelib: false\nTag: {tag()}\n",
+        "WHEEL": f"Wheel-Version: 1.0\nGenerator: foam\nRoot-Is-Purelib: false\nTag: {tag}\n",
     }
     if project.get("scripts"):
         texts["entry_points.txt"] = entry_points(project)
@@ -44,22 +41,22 @@ def recorded(name, data):
     return f"{name},sha256={digest},{len(data)}\n"
 
 
-def write(out, folder, project, version, licences):
-    """Writes the wheel with the files of a folder into the folder `out`; returns its path."""
+def write(out, folder, project, version, licences, tag):
+    """Writes the wheel with the files of a folder into the folder `out`; returns its path. `tag`: Python, ABI and platform."""
     stem = f"{project['name'].replace('-', '_')}-{version}"
     paths = {path.relative_to(folder).as_posix(): path for path in sorted(folder.rglob("*"))
              if path.is_file() and "__pycache__" not in path.parts}
     files = {name: path.read_bytes() for name, path in paths.items()}
-    files |= {f"{stem}.dist-info/{name}": text.encode() for name, text in information(project, version, licences).items()}
+    files |= {f"{stem}.dist-info/{name}": text.encode() for name, text in information(project, version, licences, tag).items()}
     record = f"{stem}.dist-info/RECORD"
     files[record] = ("".join(recorded(name, data) for name, data in files.items()) + f"{record},,\n").encode()
     out = pathlib.Path(out)
     out.mkdir(parents=True, exist_ok=True)
-    wheel = out / f"{stem}-{tag()}.whl"
+    wheel = out / f"{stem}-{tag}.whl"
     with zipfile.ZipFile(wheel, "w") as archive:
         for name, data in files.items():
             entry = zipfile.ZipInfo(name, EPOCH)
             executable = name in paths and paths[name].stat().st_mode & 0o100
             entry.external_attr = (0o100755 if executable else 0o100644) << 16
-            archive.writestr(entry, data, zipfile.ZIP_DEFLATED, 6)
+            archive.writestr(entry, data, zipfile.ZIP_DEFLATED, 9)
     return wheel

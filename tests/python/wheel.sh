@@ -1,53 +1,107 @@
 #!/usr/bin/env bash
-# wheel.sh PYTHON: the wheels, installed without network into a new environment and imported from another folder.
+# wheel.sh PYTHON: the wheels: what they need of the system, and installed for each Python that is there, into environments without
+# anything else, and used from another folder.
 # shellcheck source=tests/sdk/fixture.sh
 source "$(dirname "$0")/../sdk/fixture.sh"
 python=$1
-command -v patchelf >/dev/null || skip "there is no patchelf"
-"$python" -c 'import ensurepip, numpy, pip, tomllib, venv' 2>/dev/null || skip "a module is missing: ensurepip, numpy, pip, tomllib or venv"
+tools=$FOAM_TEST_BUILD/wheel-tools/bin
+without() { # in continuous integration nothing may be left out
+    [[ -z ${CI:-} ]] || fail "$1"
+    skip "$1"
+}
 [[ -z $FOAM_TEST_SANITIZER ]] || skip "nobody packs a build with sanitizers"
+pythons=$(sed -n 's/^FOAM_WHEEL_PYTHONS:[A-Z]*=//p' "$FOAM_TEST_BUILD/CMakeCache.txt")
+[[ -x $tools/auditwheel && -n $pythons ]] || without "the build is not for wheels: ./foam wheel makes it so"
 export PYTHONDONTWRITEBYTECODE=1
 
-quietly "$python" "$FOAM_TEST_SOURCE/python/wheel/foam_wheel.py" "$FOAM_TEST_BUILD" "$room/wheels"
+PATH=$tools:$PATH quietly "$tools/python" "$FOAM_TEST_SOURCE/python/wheel/foam_wheel.py" "$FOAM_TEST_BUILD" "$room/wheels"
 version=$("$FOAM_TEST_BUILD/bin/foam" version | sed -n 's/^foam *//p')
-tag=$("$python" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
-tag=$tag-$tag-linux_$(uname -m)
-main=$room/wheels/foam_spheres-$version-$tag.whl gpl=$room/wheels/foam_spheres_gpl-$version-$tag.whl
+wheel() { printf '%s\n' "$room/wheels/foam_spheres$1-$version-py3-none-$2.whl"; }
+main=$(wheel "" manylinux_2_34_x86_64)
 [[ -f $main ]] || fail "no wheel $main: $(ls "$room/wheels")"
+
+# What docs/dev/releasing.md says of it.
+expect "py3-none-manylinux_2_34_x86_64" cat "$FOAM_TEST_SOURCE/docs/dev/releasing.md"
+(($(stat -c %s "$main") <= 15000000)) || fail "more than 15 MB: $(stat -c %s "$main")"
+"$tools/python" - "$main" <<'PYTHON' || fail "symbols that glibc 2.34 or g++ 11's libstdc++ does not have"
+"""Every symbol that a file of the wheel needs, against the versions of manylinux_2_34: by pyelftools, not by auditwheel."""
+import io, re, sys, zipfile
+from elftools.elf.elffile import ELFFile
+from elftools.elf.gnuversions import GNUVerNeedSection
+MOST = {"GLIBC": (2, 34), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "GCC": (12, 0)}
+newer, files = [], 0
+archive = zipfile.ZipFile(sys.argv[1])
+for name in archive.namelist():
+    data = archive.read(name)
+    if data[:4] != b"\x7fELF":
+        continue
+    files += 1
+    for section in ELFFile(io.BytesIO(data)).iter_sections():
+        if isinstance(section, GNUVerNeedSection):
+            for _, versions in section.iter_versions():
+                for needed in versions:
+                    family, _, number = needed.name.partition("_")
+                    if family in MOST and tuple(map(int, re.findall(r"\d+", number))) > MOST[family]:
+                        newer.append(f"{name}: {needed.name}")
+print(*newer, sep="\n")
+sys.exit(bool(newer) or files < 40)
+PYTHON
 inside() { "$python" -c 'import sys, zipfile; print(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]).decode())' "$@"; }
 expect "Root-Is-Purelib: false" inside "$main" "foam_spheres-$version.dist-info/WHEEL"
-expect "Tag: $tag" inside "$main" "foam_spheres-$version.dist-info/WHEEL"
 expect "Requires-Dist: numpy" inside "$main" "foam_spheres-$version.dist-info/METADATA"
+expect "Requires-Python: >=3.10" inside "$main" "foam_spheres-$version.dist-info/METADATA"
+for package in libexpat1-dev libarchive-dev libzip-dev libcpp-httplib-dev; do
+    expect "Copyright" inside "$main" "foam_spheres-$version.dist-info/licenses/$package.txt"
+done
 
-# pip makes the same wheel, to the last byte.
-quietly "$python" -m pip wheel --no-index --no-deps --no-build-isolation --config-settings "build-dir=$FOAM_TEST_BUILD" \
-    -w "$room/by_pip" "$FOAM_TEST_SOURCE/python"
-cmp "$main" "$room/by_pip/${main##*/}" || fail "pip makes another wheel"
-
-# NumPy is that of the system.
-quietly "$python" -m venv --system-site-packages --without-pip "$room/venv"
-install() { quietly "$python" -m pip --python "$room/venv/bin/python" install --no-index --no-deps "$1"; }
-install "$main"
 mkdir "$room/elsewhere" && cd "$room/elsewhere"
 write_part part.obj
-panda=$FOAM_TEST_SOURCE/configs/panda_22.yaml
 clean=(env -i "HOME=$room" PYTHONDONTWRITEBYTECODE=1)
-quietly "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"
 quietly "${clean[@]}" "PYTHONPATH=$FOAM_TEST_BUILD/python" "$python" -c \
     'import foam; open("clone.bin", "wb").write(foam.spherize("part.obj", 6).spheres.tobytes())'
-cmp spheres.bin clone.bin || fail "the wheel has other spheres than the clone"
+panda=$FOAM_TEST_SOURCE/configs/panda_22.yaml
+# environment PYTHON: one with NumPy alone, kept for the next time.
+environment() {
+    local folder
+    folder=$FOAM_TEST_BUILD/tests/wheel/$("$1" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    if ! cmp -s "$FOAM_TEST_SOURCE/tests/python/numpy.txt" "$folder/numpy.txt"; then
+        "$1" -m venv --clear "$folder" && "$folder/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps \
+            --only-binary=:all: --require-hashes --requirement="$FOAM_TEST_SOURCE/tests/python/numpy.txt" || return
+        cp "$FOAM_TEST_SOURCE/tests/python/numpy.txt" "$folder/"
+    fi >&2
+    printf '%s\n' "$folder"
+}
+install() { quietly "$tools/python" -m pip --python "$venv/bin/python" install --no-index --no-deps --force-reinstall "$1"; }
+plugins() { expect "$1" "${clean[@]}" "$venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"; }
 
-# The program that comes along, too.
-expect "foam           $version" "${clean[@]}" "$room/venv/bin/foam" version
-expect "usage: foam-generate-spheres" "${clean[@]}" "$room/venv/bin/foam-generate-spheres" --help
-expect "Proved" "${clean[@]}" "$room/venv/bin/foam" spherize part.obj -n 6 -o part.json
+IFS=';' read -ra pythons <<<"$pythons"
+for each in "${pythons[@]}"; do
+    venv=$(environment "$each") || without "there is no NumPy for $each"
+    quietly "$tools/python" -m pip --python "$venv/bin/python" uninstall --yes foam-spheres foam-spheres-gpl foam-spheres-commalab
+    install "$main"
+    rm -f spheres.bin
+    plugins "spherize_cover"
+    cmp spheres.bin clone.bin || fail "$each: the wheel has other spheres than the clone"
+    expect "foam           $version" "${clean[@]}" "$venv/bin/foam" version
+    expect "foam           $version" "${clean[@]}" "$venv/bin/python" -m foam version
+done
 
-# What is under the GPL is in the second wheel alone.
-medial=$(find "$room/venv" -name spherize_medial.so)
-[[ -z $medial ]] || fail "a plugin under the GPL in the first wheel"
+# The rest with the last of them.
+expect "Proved" "${clean[@]}" "$venv/bin/foam" spherize part.obj -n 6 -o part.json
+expect "Proved" "${clean[@]}" "$venv/bin/foam" spherize "$("$venv/bin/python" -c 'import foam; print(foam.example("panda"))')" -n 20 -o panda.json
+medial=$(find "$venv" -name 'spherize_medial.so' -o -name 'foam-generate-spheres' -o -name external.py -path '*/foam/*')
+[[ -z $medial ]] || fail "in the first wheel, and not for it: $medial"
+gpl=$(wheel _gpl manylinux_2_34_x86_64)
 if [[ -f $FOAM_TEST_BUILD/lib/foam/plugins/spherize_medial.so ]]; then
     expect "Requires-Dist: foam-spheres==$version" inside "$gpl" "foam_spheres_gpl-$version.dist-info/METADATA"
     expect "GNU GENERAL PUBLIC LICENSE" inside "$gpl" "foam_spheres_gpl-$version.dist-info/licenses/GPL-3"
     install "$gpl"
-    expect "spherize_medial" "${clean[@]}" "$room/venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"
+    plugins "spherize_medial"
 fi
+expect "pip install foam-spheres-commalab" "$python" -c "import subprocess, sys
+done = subprocess.run([sys.argv[1], '-c', 'import foam; foam.SpherizationHelper'], capture_output=True, text=True)
+print(done.stderr)" "$venv/bin/python"
+install "$(wheel _commalab any)"
+expect "usage: foam-generate-spheres" "${clean[@]}" "$venv/bin/foam-generate-spheres" --help
+expect "SpherizationHelper" "${clean[@]}" "$venv/bin/python" -c 'import foam; print(foam.SpherizationHelper)'
+[[ -f $(wheel _pictures linux_x86_64) ]] || fail "no wheel with the painter"

@@ -18,14 +18,16 @@ expect "8 spheres of 0.00106 m3, proved" "$room/build/c_interface"
 loaded=$(ldd "$room/build/c_interface")
 [[ ! $loaded =~ yaml|expat|json|foam-(robot|sdk|recipe|report|runtime|judge) ]] || fail "foam::c brings more than the search: $loaded"
 
-# The test program, as strict C99.
+# The test programs, as strict C99.
 if command -v pkg-config >/dev/null; then
     export PKG_CONFIG_PATH=$libraries/pkgconfig
     expect "$("$prefix/bin/foam" version | sed -n 's/^foam *//p')" pkg-config --modversion foam
     flags=(-std=c99 -Wall -Wextra -Wpedantic -Werror ${FOAM_TEST_SANITIZER:+"-fsanitize=$FOAM_TEST_SANITIZER"})
-    eval "quietly \"$compiler\" \"\${flags[@]}\" -D_POSIX_C_SOURCE=200809L -x c \"$FOAM_TEST_SOURCE/tests/c/c_interface_test.c\" \
-        -o \"$room/test\" $(pkg-config --cflags --libs foam) -lm -pthread"
-    LD_LIBRARY_PATH=$libraries quietly "$room/test"
+    for program in c_interface_test judge_test; do
+        eval "quietly \"$compiler\" \"\${flags[@]}\" -D_POSIX_C_SOURCE=200809L -x c \"$FOAM_TEST_SOURCE/tests/c/$program.c\" \
+            -o \"$room/test\" $(pkg-config --cflags --libs foam) -lm -pthread"
+        LD_LIBRARY_PATH=$libraries quietly "$room/test"
+    done
 else
     echo "not tested: there is no pkg-config"
 fi

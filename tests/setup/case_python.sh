@@ -33,12 +33,28 @@ expect_call "core/all plugins/all apps/foam/all python/all bench"
 expect_out "ran <bench> <x.yaml>"
 expect_calls ninja 4
 
-# ./foam wheel needs patchelf as well, and hands the build folder on.
+# ./foam wheel installs its tools, builds for the Pythons whose headers are there, and hands the build folder on.
+# shellcheck disable=SC2016  # expanded when it runs
+stand_in python3 <<'END'
+[[ $2 == venv ]] && mkdir -p "$4/bin" && cp "$0" "$4/bin/python"
+case " $* " in
+*" pip "*) [[ -z ${pip_fails:-} ]] || { echo "no network"; exit 1; } ;;
+*pybind11*) echo "headers of pybind11" ;;
+*) printf " <%s>" "$@" ;;
+esac
+END
+pip_fails=1 run_foam wheel
+expect_code 2
+expect_err "pip could not install the tools for wheels"
+export FOAM_PYTHONS="/python/3.10 /python/3.14"
 run_foam wheel
 expect_code 0
 expect_call "install -y --no-install-recommends pack-w"
-expect_out "path ${PYTHONPATH:-}
- <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$clone/build/release/wheels>"
-run_foam wheel "$room/a folder"
-expect_out "path ${PYTHONPATH:-}
- <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$room/a folder>"
+expect_call "-DFOAM_WHEEL=ON -DFOAM_WHEEL_PYTHONS=/python/3.10;/python/3.14 -DFOAM_WHEEL_PYBIND11=headers of pybind11"
+expect_out " <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$clone/build/release/wheels>"
+pip_fails=1 run_foam wheel "$room/a folder"
+expect_out " <-B> <$clone/python/wheel/foam_wheel.py> <$clone/build/release> <$room/a folder>"
+# Continuous integration tests wheels, too.
+CI=true run_foam test
+expect_code 0
+expect_call "-DFOAM_TESTS=ON -DFOAM_WHEEL=ON"

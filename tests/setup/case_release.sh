@@ -22,7 +22,11 @@ mkdir -p "${*: -1}/_CPack_Packages"
 echo "epoch $SOURCE_DATE_EPOCH" >"${*: -1}/foam_1.2.3_amd64.deb"
 END
 # shellcheck disable=SC2016
-stand_in python3 <<<'echo wheel >"${*: -1}/foam_spheres-1.2.3.whl"'
+stand_in python3 <<'END'
+[[ $2 == venv ]] && mkdir -p "$4/bin" && cp "$0" "$4/bin/python"
+[[ $* != *foam_wheel.py* ]] || echo wheel >"${*: -1}/foam_spheres-1.2.3.whl"
+END
+export FOAM_PYTHONS=/python/3.11
 release=$clone/build/foam-1.2.3
 run_foam release
 expect_code 0

@@ -18,3 +18,13 @@ echo pack-b >>"$installed"
 run_foam version
 expect_code 0
 expect_out "ran <version>"
+
+# ./foam packages names them, and installs nothing.
+: >"$calls"
+run_foam packages run tests
+expect_code 0
+expect_out pack-t
+run_foam packages nothing
+expect_code 2
+expect_err "dependencies.txt has no group nothing; it has: run python bench"
+expect_no_call "^apt-get"

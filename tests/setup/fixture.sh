@@ -7,15 +7,17 @@ room=$(mktemp -d)
 trap 'rm -rf -- "$room"' EXIT
 clone="$room/a clone"
 tools=$room/tools
+unset CI FOAM_PYTHONS # what is set where the tests run
 export calls=$room/calls installed=$room/installed FOAM_OS_RELEASE=$room/os-release
 printf '%s\n' 'ID=debian' 'VERSION_ID="13"' >"$FOAM_OS_RELEASE"
-mkdir -p "$clone"/{core,plugins,apps,python} "$tools"
+mkdir -p "$clone"/{core,plugins,apps,python/wheel} "$tools"
+echo tools >"$clone/python/wheel/requirements.txt"
 touch "$calls" "$installed"
 cp -- "$source_root/foam" "$clone/foam"
 printf '%s\n' '# No group yet' 'not-one' '## run: what it is' 'pack-a' '# more' 'pack-b   # why' '' '## python: of it' pack-p '## bench: of it' pack-e '## wheel: of it' pack-w '## release: of it' pack-r '## python-tests: of it' pack-q '## tests: of it' pack-t \
     '## consumers: of it' pack-c '## docs: of it' pack-d '## consumers-12: of it on Debian 12' pack-o >"$clone/dependencies.txt"
 touch "$clone/CMakeLists.txt"
-for tool in bash cat chmod dirname env find flock grep id mkdir mv nproc paste readlink rm sed sleep tail touch; do
+for tool in bash cat chmod cmp cp dirname env find flock grep id mkdir mv nproc paste readlink rm sed sleep tail touch; do
     ln -s "$(command -v "$tool")" "$tools/$tool"
 done
 

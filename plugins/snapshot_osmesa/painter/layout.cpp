@@ -1,5 +1,7 @@
 #include "scene.hpp"
 
+#include <foam/base/hypot.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,7 @@ Box extent_all_around(const Panel& panel, const Camera& camera) {
     const Vec3 middle = content.center(), seen = camera(middle);
     for_each_part(panel, [&](const Vec3& place, double reach) {
         const Vec3 from = place - middle;
-        const double away = std::hypot(from.x, from.y), tilted = std::abs(camera.towards.z) * away;
+        const double away = foam::hypot(from.x, from.y), tilted = std::abs(camera.towards.z) * away;
         const Vec3 most{away + reach, tilted + reach, away + std::abs(from.z) + reach};
         const Vec3 height{0, camera.up.z * from.z, 0};
         box.add(seen + height - most);

@@ -3,6 +3,8 @@
 #include "convex/kind.hpp"
 #include "convex/reach.hpp"
 
+#include <foam/base/hypot.hpp>
+
 #include <array>
 #include <numbers>
 
@@ -29,7 +31,7 @@ void add_cylinder_patches(double half, double radius, std::vector<Patch>& patche
 Element cylinder_around(Element e, std::span<const Vec3> points, double room) {
     for (const Vec3& p : points) {
         const Vec3 q = to_own_frame(e, p);
-        e.radius = std::max(e.radius, std::hypot(q.x, q.y) + room);
+        e.radius = std::max(e.radius, foam::hypot(q.x, q.y) + room);
     }
     const Box box = own_box(e, points, room);
     reach_along(e, 2, box.low.z, box.high.z);
@@ -41,9 +43,9 @@ public:
     using ConvexKind::ConvexKind;
 
     double signed_distance(const Element& e, const Vec3& p) const override {
-        const double across = std::hypot(p.x, p.y) - e.radius, along = std::abs(p.z) - e.half.z;
+        const double across = foam::hypot(p.x, p.y) - e.radius, along = std::abs(p.z) - e.half.z;
         return std::max(across, along) <= 0 ? std::max(across, along)
-                                            : std::hypot(std::max(across, 0.0), std::max(along, 0.0));
+                                            : foam::hypot(std::max(across, 0.0), std::max(along, 0.0));
     }
     Vec3 support(const Element& e, const Vec3& d) const override {
         return Vec3{0, 0, std::copysign(e.half.z, d.z)} + normalized({d.x, d.y, 0}) * e.radius;
@@ -52,7 +54,7 @@ public:
         Vec3 reach;
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3& row = e.pose.rotation[static_cast<std::size_t>(axis)];
-            reach[axis] = std::abs(row.z) * e.half.z + e.radius * std::hypot(row.x, row.y);
+            reach[axis] = std::abs(row.z) * e.half.z + e.radius * foam::hypot(row.x, row.y);
         }
         return Box::about(e.pose.translation, reach);
     }

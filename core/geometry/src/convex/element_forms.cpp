@@ -1,6 +1,7 @@
 #include "convex/kind.hpp"
 
 #include <foam/base/error.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/element_forms.hpp>
 #include <foam/geometry/internal/single_precision.hpp>
 #include <foam/geometry/sphere.hpp>
@@ -143,7 +144,7 @@ static std::optional<Element> capsule_of(const Element& cylinder, const Element&
     double upper = 0, lower = 0;
     for (const Element* ball : {&one, &other}) {
         const Vec3 place = cylinder.pose.inverse() * ball->pose.translation;
-        const double off = std::hypot(place.x, place.y);
+        const double off = foam::hypot(place.x, place.y);
         const double beyond = std::abs(place.z) - cylinder.half.z;
         if (std::abs(ball->radius - cylinder.radius) > same || off > same || beyond > same ||
             beyond < -overlap * cylinder.radius) {

@@ -1,5 +1,6 @@
 // The smallest ball around points, a small one around balls, and the level of one ball around a model.
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/sphere.hpp>
 
@@ -247,7 +248,7 @@ void add_balls_around(const Element& e, std::vector<Sphere>& balls) {
         return;
     }
     if (e.kind == Element::Kind::cylinder) {
-        balls.push_back({e.pose.translation, std::hypot(e.radius, e.half.z)});
+        balls.push_back({e.pose.translation, foam::hypot(e.radius, e.half.z)});
         return;
     }
     for (int corner = 0; corner < 8; ++corner) {

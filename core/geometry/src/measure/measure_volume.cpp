@@ -2,6 +2,7 @@
 #include "measure/element_set.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/base/parallel.hpp>
 #include <foam/base/random.hpp>
 #include <foam/geometry/internal/measure_parts.hpp>
@@ -144,7 +145,7 @@ Difference difference(const Solid& solid, const Set& set, const Estimate& in_uni
     const std::size_t lines = solid.closed() ? options.volume_rays : options.volume_points / 12;
     const double surplus = in_union.value - solid.volume();
     const auto other = [&](const Estimate& known, double difference) {
-        return Estimate{known.value + difference, std::hypot(known.error, solid.volume_error())};
+        return Estimate{known.value + difference, foam::hypot(known.error, solid.volume_error())};
     };
     if (in_union.error > 0) {
         const std::size_t some = solid.closed() ? lines : lines / 4; // each takes long, and few have a small error

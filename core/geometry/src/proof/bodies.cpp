@@ -6,6 +6,7 @@
 #include <foam/geometry/internal/quickhull.hpp>
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 
 namespace foam::inline geometry {
 namespace {
@@ -335,9 +336,9 @@ double Bodies::depth(std::uint32_t i, const Vec3& p) const {
         return kind_of(body.rest).signed_distance(body.rest, q);
     }
     if (body.form == Form::cylinder) {
-        const double across = std::hypot(q.x, q.y) - body.radius, along = std::abs(q.z) - body.half.z;
+        const double across = foam::hypot(q.x, q.y) - body.radius, along = std::abs(q.z) - body.half.z;
         return std::max(across, along) <= 0 ? std::max(across, along)
-                                            : std::hypot(std::max(across, 0.0), std::max(along, 0.0));
+                                            : foam::hypot(std::max(across, 0.0), std::max(along, 0.0));
     }
     const Vec3 out = outside_box(body.half, q);
     if (out != Vec3{} || body.radius > 0) {

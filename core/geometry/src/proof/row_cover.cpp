@@ -1,3 +1,4 @@
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/row_cover.hpp>
 
 #include <numbers>
@@ -29,7 +30,7 @@ double BallRow::volume() const {
 
 BallRow row_around_cylinder(double radius, double length, std::size_t count) {
     const double h = length / (2 * static_cast<double>(count));
-    return {count, std::hypot(radius, h), h};
+    return {count, foam::hypot(radius, h), h};
 }
 
 BallRow row_around_capsule(double radius, double length, std::size_t count) {

@@ -4,6 +4,7 @@
 #include "solid/solid_data.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/base/parallel.hpp>
 
 #include <algorithm>
@@ -176,7 +177,7 @@ InsideLines::InsideLines(const SolidData& data)
     const Estimate holes = data.closed() ? Estimate{} : integral(data, traced(data, across_open, "volume"), in_holes);
     const double value = exact - overlaps.value - holes.value;
     const double accuracy = noise * box_.diagonal() * data.area / 2; // each line enters and leaves
-    volume_ = {value > accuracy ? value : 0, std::hypot(overlaps.error, holes.error)};
+    volume_ = {value > accuracy ? value : 0, foam::hypot(overlaps.error, holes.error)};
 }
 
 double InsideLines::shortest() const {

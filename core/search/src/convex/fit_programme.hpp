@@ -5,6 +5,7 @@
 #include "ellipsoid_fit.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/vector.hpp>
 
 #include <Eigen/Core>
@@ -209,7 +210,7 @@ template <class Weight> Variables boundary_slopes(const Fit& fit, bool keep_axes
             g(6 + k) += uses_half(fit.kind, k) ? share * outwards : 0;
         }
         if (fit.kind != Element::Kind::box && !ellipsoid) {
-            g(9) += fit.kind == Element::Kind::cylinder ? share * std::hypot(n.x, n.y) : share;
+            g(9) += fit.kind == Element::Kind::cylinder ? share * foam::hypot(n.x, n.y) : share;
         }
     });
     return g;

@@ -8,6 +8,7 @@
 #include "plane.hpp"
 
 #include <foam/base/cancellation.hpp>
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/internal/bvh.hpp>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using Kind = Element::Kind;
 double distance_to(const Fit& fit, const Vec3& p) {
     const Vec3 q = fit.local(p);
     if (fit.kind == Kind::cylinder) {
-        return std::max(std::hypot(q.x, q.y) - fit.radius, std::abs(q.z) - fit.half.z);
+        return std::max(foam::hypot(q.x, q.y) - fit.radius, std::abs(q.z) - fit.half.z);
     }
     if (fit.kind == Kind::ellipsoid) { // outside, by a factor of the least half axis
         return (reach_of_ellipsoid(fit, q) - 1) * std::min({fit.half.x, fit.half.y, fit.half.z});

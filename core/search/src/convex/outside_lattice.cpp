@@ -2,6 +2,7 @@
 
 #include "by_spheres/measured/points.hpp"
 
+#include <foam/base/hypot.hpp>
 #include <foam/geometry/internal/bvh.hpp>
 
 #include <algorithm>
@@ -98,7 +99,7 @@ void hold_by_ellipsoid(const Held& f, std::size_t count, const float* x, const f
 Box bounds(const Fit& fit) {
     Vec3 reach;
     for (int i = 0; i < 3; ++i) {
-        reach[i] = fit.kind == Kind::cylinder ? fit.radius * std::hypot(fit.axes[0][i], fit.axes[1][i])
+        reach[i] = fit.kind == Kind::cylinder ? fit.radius * foam::hypot(fit.axes[0][i], fit.axes[1][i])
                    : fit.kind == Kind::box    ? 0
                                               : fit.radius;
         if (fit.kind == Kind::ellipsoid) {
