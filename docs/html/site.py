@@ -1,5 +1,6 @@
-"""What mkdocs has to know of these pages: docs/index.md is the navigation, the pages beside docs/ belong to them, and
-links to other files of the repository become text."""
+"""What mkdocs has to know of these pages: docs/index.md is the navigation, the pages beside docs/ belong to them, links
+to other files of the repository become text, and the search index is a script."""
+import json
 import os
 import pathlib
 import re
@@ -56,3 +57,15 @@ def on_page_markdown(markdown, page, config, files):
         return f"{mark}[{text}]({os.path.relpath(found, os.path.dirname(page.file.src_uri) or '.')}{hash_sign}{anchor})"
 
     return CODE_OR_LINK.sub(relink, markdown)
+
+
+def on_post_build(config):
+    """A page that was opened from disk may load scripts, and no JSON. Without the entries of whole pages, whose sections
+    hold the same."""
+    index = pathlib.Path(config["site_dir"], "search/search_index.json")
+    entries = json.loads(index.read_text(encoding="utf-8"))["docs"]
+    pages = {entry["location"]: entry["title"] for entry in entries if "#" not in entry["location"]}
+    sections = [[entry["location"], pages[entry["location"].partition("#")[0]], entry["title"], entry["text"]]
+                for entry in entries if "#" in entry["location"]]
+    index.with_suffix(".js").write_text(f"const SECTIONS = {json.dumps(sections)};\n", encoding="utf-8")
+    index.unlink()

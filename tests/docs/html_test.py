@@ -58,6 +58,13 @@ def findings_of(site):
                     for url in re.findall(r"(?:url\(|@import )[\"']?((?:https?:)?//[^\"') ]+)", file.read_text()))
 
 
+def build(repository, site):
+    """Builds the pages; returns what mkdocs finds wrong."""
+    command = ["mkdocs", "build", "--strict", "--quiet", "--config-file", repository / "mkdocs.yml", "--site-dir", site]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return [done.stdout or f"mkdocs ends with {done.returncode}"] if done.returncode or done.stdout else []
+
+
 def main():
     if not shutil.which("mkdocs"):
         print("skipped: there is no mkdocs")
@@ -65,9 +72,7 @@ def main():
     repository = pathlib.Path(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
         site = pathlib.Path(folder).resolve()
-        build = subprocess.run(["mkdocs", "build", "--strict", "--quiet", "--config-file", repository / "mkdocs.yml",
-                                "--site-dir", site], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        findings = [build.stdout] if build.returncode or build.stdout else list(findings_of(site))
+        findings = build(repository, site) or list(findings_of(site))
         pages = len(list(site.rglob("*.html")))
     if pages < 10 and not findings:
         findings = [f"there are only {pages} pages"]

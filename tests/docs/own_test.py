@@ -1,4 +1,5 @@
 """The tests of the pages find what is wrong with a page: each kind of mistake, on a tiny repository."""
+import ast
 import contextlib
 import io
 import pathlib
@@ -6,9 +7,12 @@ import sys
 import tempfile
 import unittest
 
+import c_reference
 import check_links
 import html_test
 import markdown
+import prose
+import python_reference
 import recipe_reference
 import reference
 import run_page
@@ -208,6 +212,108 @@ class Generated(unittest.TestCase):
             "| `seed` | integer ≥ 0 | `0` | Seed. |\n",
             "| `links.NAME.skip` | boolean | `false` | Skip. |\n",
             "| `size.x` | `1` |  | X. |\n"])
+
+    def test_prose(self):
+        text = "One < two * `a*b`.\n\nArgs:\n    x, y: metres;\n        any frame.\n    z: no.\n\nIts code:\n    f(x)\n\nname    what\n"
+        self.assertEqual(prose.markdown(text), "One &lt; two \\* `a*b`.\n\n*Arguments*\n\n- `x`, `y`: metres; any frame.\n"
+                                               "- `z`: no.\n\nIts code:\n\n    f(x)\n\n- `name`: what\n")
+        self.assertEqual(prose.first_sentence("A | b, e.g. c. D.\n\nE."), "A \\| b, e.g. c.")
+
+    def test_a_header(self):
+        header = ("/* In C. */\n#ifndef FOAM_H\n#define FOAM_H\n#include <a.h>\n\n/* Kinds. */\nenum {\n    FOAM_A = 1 /* a */\n};\n\n"
+                  "/* Counts.\n *\n * most   the limit\n */\nFOAM_API int foam_count(int most);\n\n#ifdef __cplusplus\n}\n#endif\n#endif\n")
+        self.assertEqual(c_reference.page_of(header, "made\n"),
+                         "# C header\n\nmade\n\n[foam in C](../guide/c_interface.md) shows how to use `foam.h`.\n\nIn C.\n"
+                         "\n## FOAM_A, …\n\n```c\nenum {\n    FOAM_A = 1 /* a */\n};\n```\n\nKinds.\n"
+                         "\n## foam_count()\n\n```c\nFOAM_API int foam_count(int most);\n```\n\nCounts.\n\n- `most`: the limit\n")
+
+
+PACKAGE = {"__init__": """
+from .errors import Error
+_HOMES = {"Made": "_made", "make": "_make"}
+#: All words.
+WORDS: tuple[str, ...] = ("a",)
+_OLD = ["old"]
+__all__ = ["Error", "Made", "WORDS", "make"]
+__all__ += _OLD
+""", "errors": """
+class Error(ValueError):
+    \"\"\"Why not.\"\"\"
+""", "_make": """
+from ._made import built as make
+""", "_types": """
+from elsewhere import Foreign
+#: How long.
+Effort = Literal["fast", "best"]
+Function = TypeVar("Function")
+""", "_made": """
+if TYPE_CHECKING:
+    from ._types import Effort, Foreign, Function
+class _Base:
+    @property
+    def size(self) -> float | None:
+        \"\"\"Metres.\"\"\"
+
+class Made(_Base):
+    \"\"\"What was made of `count` things.\"\"\"
+    kind: str  #: its kind
+    _hidden: int
+    def __init__(self, count: int, *, name: "str" = "x"):
+        self.name = name  #: of it
+        self.count: int = count
+        self.other = 1
+    def __len__(self): ...
+    def to(self, *formats: str, **settings: int) -> list[str]:
+        \"\"\"Write.\"\"\"
+
+class Result(Made):
+    \"\"\"What is returned.\"\"\"
+    def __init__(self, values): ...
+
+@overload
+def built(a: int) -> Made: ...
+@overload
+def built(a: Effort, /, b: Foreign | Function = (1, 2)) -> Made: ...
+def built(a, b=None):
+    \"\"\"Make.\"\"\"
+"""}
+
+
+class PythonReference(Tiny):
+    def page(self):
+        for name, text in PACKAGE.items():
+            (self.repository / f"{name}.py").write_text(text)
+        return python_reference.page_of(self.repository, "made\n")
+
+    def test_the_whole_of_a_package(self):
+        page = self.page()
+        for part in ("| [`foam.make()`](#foammake) | Make. |\n", "| [`class foam.Made`](#class-foammade) | What was made of",
+                     "### foam.make()\n\n```python\nfoam.make(a: int) -> Made\nfoam.make(a: Effort, /, b: Foreign | Function = (1, 2)) -> Made\n```\n\nMake.\n",
+                     "```python\nfoam.Made(count: int, *, name: str = 'x')\n```\n\nWhat was made of `count` things.\n",
+                     "| `size` | `float or None` | Metres. |\n| `kind` | `str` | its kind |\n| `name` |  | of it |\n"
+                     "| `count` | `int` |  |\n\nAlso: `len()`.\n",
+                     "#### Made.to()\n\n```python\nto(*formats: str, **settings: int) -> list[str]\n```\n\nWrite.\n",
+                     "### class foam.Error\n\nA kind of `ValueError`.\n\nWhy not.\n",
+                     "```python\nfoam.WORDS: tuple[str, ...]\n```\n\nAll words.\n",
+                     "## Types\n\n### Effort\n\n```python\nEffort = Literal['fast', 'best']\n```\n\nHow long.\n"):
+            self.assertIn(part, page)
+        for absent in ("_hidden", "other", "old", "Result", "### Foreign", "### Function"):
+            self.assertNotIn(absent, page)
+
+    def test_a_constructor_that_is_not_explained_is_not_for_users(self):
+        self.page()
+        module = python_reference.Module(self.repository, "_made")
+        node = module.find("Result")[1][0]
+        self.assertNotIn("foam.Result(", python_reference.class_text("Result", module, node))
+
+    def test_a_name_that_no_module_defines(self):
+        (self.repository / "_made.py").write_text("")
+        with self.assertRaisesRegex(LookupError, "_made.py does not define thing"):
+            python_reference.Module(self.repository, "_made").find("thing")
+
+    def test_a_public_name_needs_a_docstring(self):
+        with self.assertRaisesRegex(LookupError, "^f, in line 1 of its module, is public and has no docstring$"):
+            python_reference.function_text("f", ast.parse("def f(): ...").body)
 
 
 unittest.main()

@@ -1,4 +1,5 @@
-"""docs/reference: pages made from what the program says of its stages and commands.
+"""docs/reference: pages made from what the program says of its stages and commands, and from the sources of the Python
+package and of foam.h.
 
 reference.py FOAM REPOSITORY
 Compares the committed pages with the program; with FOAM_TEST_UPDATE=1 writes them. Exit code 77: a build without some
@@ -12,11 +13,14 @@ import re
 import subprocess
 import sys
 
+import c_reference
+import python_reference
 import recipe_reference
 
 KINDS = {"robot loader": "Robot loaders", "mesh loader": "Mesh loaders", "mesh filter": "Mesh filters",
          "spherizer": "Spherizers", "refiner": "Refiners", "writer": "Writers", "renderer": "Renderers", "model reader": "Readers of sphere models"}
 MADE = "<!-- Made from the program by tests/docs/reference.py: FOAM_TEST_UPDATE=1 ./foam test -R docs.reference -->\n"
+MADE_FROM_SOURCES = MADE.replace("the program", "the sources")
 
 
 def output_of(*command):
@@ -125,8 +129,9 @@ def command_line_page(foam):
     return page
 
 
-def pages_of(foam):
+def pages_of(foam, repository):
     """File name → text of every page of docs/reference."""
+    header = (repository / "core/c/include/foam.h").read_text(encoding="utf-8")
     stages = json.loads(output_of(foam, "stages", "--json"))
     unknown = {stage["kind"] for stage in stages} - KINDS.keys()
     if unknown:
@@ -134,7 +139,9 @@ def pages_of(foam):
     pages = {f"stages/{stage['name']}.md": stage_page(stage) for stage in stages}
     schema = json.loads(output_of(foam, "schema"))
     return pages | {"stages.md": stages_page(stages), "command_line.md": command_line_page(foam),
-                    "recipe.md": recipe_reference.page_of(schema, MADE)}
+                    "recipe.md": recipe_reference.page_of(schema, MADE),
+                    "python.md": python_reference.page_of(repository / "python/foam", MADE_FROM_SOURCES),
+                    "c.md": c_reference.page_of(header, MADE_FROM_SOURCES)}
 
 
 def update(folder, pages, vanished):
@@ -149,12 +156,13 @@ def differences(folder, pages):
     for name, text in pages.items():
         committed = (folder / name).read_text() if (folder / name).exists() else ""
         yield from difflib.unified_diff(committed.splitlines(True), text.splitlines(True), f"docs/reference/{name}",
-                                        "what the program says")
+                                        "what it is made from says")
 
 
 def main():
-    foam, folder = sys.argv[1], pathlib.Path(sys.argv[2], "docs/reference")
-    pages = pages_of(foam)
+    foam, repository = sys.argv[1], pathlib.Path(sys.argv[2])
+    folder = repository / "docs/reference"
+    pages = pages_of(foam, repository)
     committed = {str(file.relative_to(folder)) for file in folder.glob("**/*.md")}
     vanished = committed - pages.keys()
     if os.environ.get("FOAM_TEST_UPDATE"):
