@@ -86,9 +86,12 @@ int certify_spheres(Program& program, const CertifyArguments& arguments) {
                           counts_text(kinds), more) +
               not_judged_text(proved));
     } else {
+        const char* const remedy = outer ? "Remedy: make the model again of this geometry, by foam spherize, "
+                                           "foam approximate or foam run.\n"
+                                         : "";
         print(table_of_proofs(original, model, proofs, outer) +
-              fmt::format("Not certified ({}): {} of {}.\n", arguments.guarantee, failed,
-                          counted(proofs.size(), "link")) +
+              fmt::format("Not certified ({}): {} of {}.\n{}", arguments.guarantee, failed,
+                          counted(proofs.size(), "link"), remedy) +
               not_judged_text(proved));
     }
     return failed == 0 ? 0 : not_certified;

@@ -80,4 +80,41 @@ TEST(CInterface, ReportsAnExceptionOfTheCallback) {
     EXPECT_STREQ("an exception of an unknown type; remedy: let no exception leave options->poll", report.error);
 }
 
+TEST(CInterface, HasTheElementsOfCover) {
+    const foam::Mesh mesh = ring();
+    foam_report report{};
+    report.size = sizeof report;
+    foam_region* region = nullptr;
+    ASSERT_EQ(FOAM_OK, foam_region_of_mesh(&mesh.vertices[0].x, mesh.vertices.size(), mesh.triangles[0].data(),
+                                           mesh.triangles.size(), &region, &report));
+    for (const foam::Element::Kind kind : foam::every_kind()) {
+        const foam::Cover cover = foam::cover(mesh, 5, {.kinds = {kind}, .effort = foam::Effort::fast});
+        foam_options options{};
+        options.size = sizeof options;
+        options.effort = FOAM_FAST;
+        foam_elements* elements = nullptr;
+        ASSERT_EQ(FOAM_OK, foam_cover(region, 5, 1U << static_cast<unsigned>(kind), &options, &elements, &report));
+        ASSERT_EQ(cover.elements.size(), foam_elements_count(elements));
+        // Read and made again, they are the same.
+        std::vector<foam_element> described(cover.elements.size());
+        for (std::size_t i = 0; i < described.size(); ++i) {
+            ASSERT_EQ(FOAM_OK, foam_elements_get(elements, i, &described[i]));
+            const foam::Element element = cover.elements[i];
+            EXPECT_EQ(0, std::memcmp(described[i].position, &element.pose.translation, 24));
+            EXPECT_EQ(0, std::memcmp(described[i].half, &element.half, 24));
+            EXPECT_EQ(described[i].radius, element.radius);
+        }
+        foam_elements* again = nullptr;
+        ASSERT_EQ(FOAM_OK, foam_elements_make(described.data(), described.size(), &again, &report)) << report.error;
+        foam_certificate proof{};
+        proof.size = sizeof proof;
+        EXPECT_EQ(FOAM_OK, foam_certify(region, again, nullptr, &proof, &report));
+        EXPECT_TRUE(proof.holds) << foam::to_string(kind);
+        EXPECT_EQ(1, proof.solid);
+        foam_elements_free(again);
+        foam_elements_free(elements);
+    }
+    foam_region_free(region);
+}
+
 } // namespace

@@ -20,4 +20,4 @@ said=$("$room/target/debug/box-by-spheres" | sed 's/at \[.*\]:/at P:/') || fail 
 8 of kind 1, the first at P: covered true
 2 of kind 2, the first at P: covered true
 1 of kind 8, the first at P: covered true
-triangle 1 has the corner "*", but there are 5 vertices; remedy: indices from 0 to vertex_count - 1" ]] || fail "the example prints: $said"
+triangle 2 has the corner 5, but there are 5 vertices; remedy: indices from 0 to vertex_count - 1" ]] || fail "the example prints: $said"

@@ -206,7 +206,8 @@ typedef struct foam_certificate {
 } foam_certificate;
 
 /* Proves that elements cover a region, or finds where they do not. Elements from anywhere may be asked about: no test
- * by samples, and rounding is on the safe side, so that an uncovered point never passes.
+ * by samples, and rounding is on the safe side, so that an uncovered point never passes. Elements whose boundary is that
+ * of the region exactly have no room for rounding; foam_grow() gives it.
  *
  * options         NULL: the defaults; poll, time_limit and threads count
  * certificate     the result; FOAM_OK also where it does not hold */

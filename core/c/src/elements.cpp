@@ -42,7 +42,12 @@ static std::shared_ptr<const Polytope> hull_of(const foam_element& given, std::s
     for (std::size_t i = 0; i < corners.size(); ++i) {
         corners[i] = {given.vertices[3 * i], given.vertices[3 * i + 1], given.vertices[3 * i + 2]};
     }
-    return convex_hull(corners);
+    try {
+        return convex_hull(corners);
+    } catch (const Error& error) {
+        throw Error(error.code(),
+                    fmt::format("element {}: {}; remedy: finite points around a volume", index, error.what()));
+    }
 }
 
 /// Returns the element that a caller describes.
