@@ -1,5 +1,6 @@
 // The one search behind all names: spheres alone have their own, every other choice of kinds another.
 #include "by_spheres/portfolio/searches.hpp"
+#include "by_spheres/portfolio/seen_search.hpp"
 #include "convex/least_fit.hpp"
 #include "convex/search.hpp"
 
@@ -95,6 +96,12 @@ Cover cover(const Mesh& mesh, std::size_t count, const CoverOptions& options) {
 }
 
 Cover cover(std::span<const Sphere> balls, std::size_t count, const CoverOptions& options) {
+    check(options);
+    if (spheres_alone(options) && options.objective == Objective::excess) {
+        if (std::optional<SphereCover> seen = by_spheres::cover_of_seen(balls, count, options)) {
+            return cover_of(std::move(*seen));
+        }
+    }
     return cover(*solid_of_balls(balls), count, options);
 }
 

@@ -143,6 +143,8 @@ struct DescentSurface {
 
     /// Makes a surface fine enough for `balls` balls.
     DescentSurface(const Solid& solid, const Frame& frame, std::size_t balls);
+    /// Makes one of points without faces.
+    DescentSurface(Points seen, std::size_t balls);
     static std::size_t pieces_for(std::size_t balls);
 };
 

@@ -29,6 +29,9 @@ DescentSurface::DescentSurface(const Solid& solid, const Frame& frame, std::size
     : skin(solid.surface(), frame, pieces_for(balls)), some(skin.sample(pieces_for(balls) / 5)),
       most(skin.sample(pieces_for(balls) / 3)) {}
 
+DescentSurface::DescentSurface(Points seen, std::size_t balls)
+    : skin(std::move(seen)), some(skin.sample(pieces_for(balls) / 5)), most(skin.sample(pieces_for(balls) / 3)) {}
+
 const std::vector<Points>& directions_of_steps() {
     static const std::vector<Points> sets = [] {
         std::vector<Points> made;

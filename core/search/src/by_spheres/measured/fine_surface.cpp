@@ -13,6 +13,19 @@ namespace {
 
 constexpr std::uint32_t unnamed = UINT32_MAX;
 
+/// Returns the first point in each cell of a lattice.
+Points one_a_cell(const Points& points, double cell) {
+    const auto index = [&](float value) { return static_cast<std::uint64_t>((value + 2) / cell); };
+    std::unordered_set<std::uint64_t> taken;
+    Points some;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (taken.insert(index(points.x[i]) << 40 | index(points.y[i]) << 20 | index(points.z[i])).second) {
+            some.add(points, i);
+        }
+    }
+    return some;
+}
+
 } // namespace
 
 FineSurface::FineSurface(const Mesh& surface, const Frame& frame, std::size_t pieces) {
@@ -103,17 +116,14 @@ bool FineSurface::halve_long_edges(double longest, std::size_t most_faces) {
     return true;
 }
 
+FineSurface::FineSurface(Points seen)
+    : points(std::move(seen)), middles_begin(points.size()), middles_end(points.size()) {
+    constexpr double cell = 1.0 / 16;
+    area = static_cast<double>(one_a_cell(points, cell).size()) * cell * cell;
+}
+
 Points FineSurface::sample(std::size_t count) const {
-    const double cell = std::max(std::sqrt(area / static_cast<double>(count)), 1e-3);
-    const auto index = [&](float value) { return static_cast<std::uint64_t>((value + 2) / cell); };
-    std::unordered_set<std::uint64_t> taken;
-    Points some;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (taken.insert(index(points.x[i]) << 40 | index(points.y[i]) << 20 | index(points.z[i])).second) {
-            some.add(points, i);
-        }
-    }
-    return some;
+    return one_a_cell(points, std::max(std::sqrt(area / static_cast<double>(count)), 1e-3));
 }
 
 } // namespace foam::inline search::by_spheres

@@ -26,6 +26,8 @@ struct FineSurface {
 
     /// `pieces`: the least number of faces, about.
     FineSurface(const Mesh& surface, const Frame& frame, std::size_t pieces);
+    /// Points without faces: what a sensor saw. Their area is that of the cells of a lattice in which they lie.
+    explicit FineSurface(Points seen);
 
     /// Returns about `count` of the points, evenly spread: the first one in each cell of a lattice.
     Points sample(std::size_t count) const;

@@ -58,9 +58,6 @@ private:
     std::vector<CoverCandidate> many(std::size_t count);
     std::vector<Balls> starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                               const Balls* before) const;
-    CoverCandidate first_look(const DescentSurface& surface, const Occupancy* occupancy, Balls balls) const;
-    CoverCandidate refined(const DescentSurface& surface, const Occupancy* occupancy, const CoverCandidate& start,
-                           std::size_t count) const;
     bool stopped() { return stopped_ = stopped_ || (options_.stop && options_.stop()); }
 
     const Solid& solid_;
