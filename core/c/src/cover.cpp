@@ -22,9 +22,9 @@ std::vector<Element::Kind> kinds_in(unsigned sum) {
     return kinds;
 }
 
-/// Returns a cover of what solid() returns, and reports it.
-template <class SolidMaker>
-static Cover covered(SolidMaker solid, std::size_t count, std::vector<Element::Kind> kinds, const foam_options* given,
+/// Returns the cover that search(settings) returns, and reports it.
+template <class Search>
+static Cover covered(Search search, std::size_t count, std::vector<Element::Kind> kinds, const foam_options* given,
                      foam_report& report) {
     Call call(given, Call::Kind::search);
     if (count == 0 || count > FOAM_MAX_SPHERES) {
@@ -33,7 +33,7 @@ static Cover covered(SolidMaker solid, std::size_t count, std::vector<Element::K
     }
     const CoverOptions settings = call.search(std::move(kinds));
     Cover cover;
-    call.run([&] { cover = foam::cover(*solid(), count, settings); });
+    call.run([&] { cover = search(settings); });
     report.spheres = cover.elements.size();
     report.volume = cover.volume;
     report.certified = cover.certificate.holds ? 1 : 0;
@@ -51,10 +51,10 @@ int foam_spherize(const double* vertices, size_t vertex_count, const uint32_t* t
                   size_t count, const foam_options* options, double* spheres, foam_report* report) {
     return reported(report, [&] {
         require_given(spheres, "spheres", "an array of 4 * count numbers");
-        const auto solid = [&] {
-            return foam::Solid::make(mesh_of(vertices, vertex_count, triangles, triangle_count));
+        const auto search = [&](const foam::CoverOptions& settings) {
+            return foam::cover(mesh_of(vertices, vertex_count, triangles, triangle_count), count, settings);
         };
-        const foam::Cover cover = covered(solid, count, {foam::Element::Kind::sphere}, options, *report);
+        const foam::Cover cover = covered(search, count, {foam::Element::Kind::sphere}, options, *report);
         for (const foam::Sphere& sphere : cover.elements.spheres()) {
             const double row[] = {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius};
             spheres = std::copy(std::begin(row), std::end(row), spheres);
@@ -67,8 +67,11 @@ int foam_cover(const foam_region* region, size_t count, unsigned kinds, const fo
     return reported(report, [&] {
         require_place(elements, "elements");
         require_given(region, "region", "one of foam_region_of_mesh() or foam_region_of_points()");
-        const auto solid = [&] { return region->solid; };
-        const foam::Cover cover = covered(solid, count, kinds_in(kinds), options, *report);
+        const auto search = [&](const foam::CoverOptions& settings) {
+            return region->balls.empty() ? foam::cover(*region->solid(), count, settings)
+                                         : foam::cover(region->balls, count, settings);
+        };
+        const foam::Cover cover = covered(search, count, kinds_in(kinds), options, *report);
         *elements = handle_of({cover.elements.begin(), cover.elements.end()});
     });
 }

@@ -8,10 +8,22 @@
 #include <foam/geometry/solid.hpp>
 
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 struct foam_region {
-    std::shared_ptr<const foam::Solid> solid;
+    std::vector<foam::Sphere> balls; ///< of points; empty for a mesh
+
+    explicit foam_region(std::shared_ptr<const foam::Solid> made) : solid_(std::move(made)) {}
+    explicit foam_region(std::vector<foam::Sphere> points) : balls(std::move(points)) {}
+
+    /// Returns the solid; of points it is made when it is first needed: the search for spheres does without.
+    std::shared_ptr<const foam::Solid> solid() const;
+
+private:
+    mutable std::mutex mutex_;
+    mutable std::shared_ptr<const foam::Solid> solid_;
 };
 
 struct foam_elements {

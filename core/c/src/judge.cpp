@@ -57,7 +57,7 @@ int foam_certify(const foam_region* region, const foam_elements* elements, const
         *certificate = {};
         certificate->size = sizeof(foam_certificate);
         Call call(options, Call::Kind::whole);
-        call.run([&] { fill(*certificate, foam::certify(*region->solid, elements_of(*elements))); });
+        call.run([&] { fill(*certificate, foam::certify(*region->solid(), elements_of(*elements))); });
         report->spheres = elements->all.size();
         report->certified = certificate->holds;
     });
@@ -73,7 +73,7 @@ int foam_evaluate(const foam_region* region, const foam_elements* elements, cons
         figures->size = sizeof(foam_figures);
         Call call(options, Call::Kind::whole);
         const foam::MeasureOptions settings{.seed = options ? options->seed : 0};
-        call.run([&] { fill(*figures, foam::measure(*region->solid, elements_of(*elements), settings)); });
+        call.run([&] { fill(*figures, foam::measure(*region->solid(), elements_of(*elements), settings)); });
         report->spheres = figures->elements;
         report->certified = figures->certified;
     });
@@ -87,8 +87,8 @@ int foam_grow(const foam_region* region, const foam_elements* elements, const fo
         Call call(options, Call::Kind::whole);
         foam::Elements found;
         call.run([&] {
-            found = foam::grown_to_cover(*region->solid, elements_of(*elements));
-            report->certified = foam::covers(*region->solid, found) ? 1 : 0;
+            found = foam::grown_to_cover(*region->solid(), elements_of(*elements));
+            report->certified = foam::covers(*region->solid(), found) ? 1 : 0;
         });
         report->spheres = found.size();
         report->volume = foam::union_volume(found);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace foam::c {
 
@@ -75,15 +76,21 @@ static std::vector<Sphere> balls_of(const double* points, const double* radii, s
 
 using namespace foam::c;
 
+std::shared_ptr<const foam::Solid> foam_region::solid() const {
+    const std::lock_guard lock(mutex_);
+    if (!solid_) {
+        solid_ = foam::solid_of_balls(balls);
+    }
+    return solid_;
+}
+
 extern "C" {
 
 int foam_region_of_mesh(const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count,
                         foam_region** region, foam_report* report) {
     return reported(report, [&] {
         require_place(region, "region");
-        auto made = std::make_unique<foam_region>();
-        made->solid = foam::Solid::make(mesh_of(vertices, vertex_count, triangles, triangle_count));
-        *region = made.release();
+        *region = new foam_region(foam::Solid::make(mesh_of(vertices, vertex_count, triangles, triangle_count)));
     });
 }
 
@@ -91,9 +98,9 @@ int foam_region_of_points(const double* points, const double* radii, size_t coun
                           foam_report* report) {
     return reported(report, [&] {
         require_place(region, "region");
-        auto made = std::make_unique<foam_region>();
-        made->solid = foam::solid_of_balls(balls_of(points, radii, count));
-        *region = made.release();
+        std::vector<foam::Sphere> balls = balls_of(points, radii, count);
+        foam::require_balls(balls);
+        *region = new foam_region(std::move(balls));
     });
 }
 

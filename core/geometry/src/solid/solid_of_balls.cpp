@@ -47,14 +47,20 @@ std::vector<Sphere> outermost(std::vector<Sphere> balls) {
 
 } // namespace
 
-std::shared_ptr<const Solid> solid_of_balls(std::span<const Sphere> balls) {
+void require_balls(std::span<const Sphere> balls) {
     if (balls.empty()) {
         throw Error(ErrorCode::geometry, "there is no point to cover; remedy: one or more");
     }
-    Box all;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         require_ball(balls[i], i);
-        all.add(balls[i].center);
+    }
+}
+
+std::shared_ptr<const Solid> solid_of_balls(std::span<const Sphere> balls) {
+    require_balls(balls);
+    Box all;
+    for (const Sphere& ball : balls) {
+        all.add(ball.center);
     }
     constexpr double least_share = 1e-6;
     const double size = all.diagonal() > 0 ? all.diagonal() : 1;
