@@ -1,6 +1,6 @@
 """Spheres around robots and objects, with a proof that the geometry is inside.
 
-    cover = foam.spherize("part.stl", 16)
+    cover = foam.cover("part.stl", 16)
     cover.spheres      # (n, 4): x, y, z, r in metres
 
 Submodules are imported when they are first used, and NumPy with them.
@@ -26,60 +26,101 @@ from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 if TYPE_CHECKING:
     from ._adapters import from_trimesh
     from ._batch import BatchEntry, read_batch
-    from ._cover import Cover, ProvedElement, approximate, cover, proved_least, spheres_inside, spherize, spherize_each
-    from ._judge import certify, describe, evaluate, plugins, self_collision, stages
+    from ._cover import Cover
+    from ._elements import Element as Element
+    from ._elements import (
+        BoxElement,
+        CapsuleElement,
+        CylinderElement,
+        Elements,
+        EllipsoidElement,
+        HullElement,
+        SphereElement,
+        SweptBoxElement,
+    )
+    from ._events import Event
+    from ._installation import example
+    from ._judge import Format, certify, compare, describe, evaluate, formats, plugins, self_collision, stages
     from ._mesh import Mesh, read_mesh
     from ._model import SphereModel, read_spheres
     from ._own_stages import Budget, Shape, spherizer
-    from ._results import Certificate, Evaluation, Figures, SelfCollision
+    from ._results import Certificate, Comparison, Evaluation, Figures, Pair, SelfCollision
     from ._robot import Joint, Robot, load
-    from ._runs import Event, Finding, Run, check, run
+    from ._runs import Finding, Run, check, run, run_each
+    from ._search import ProvedElement, approximate, cover, proved_least, spheres_inside, spherize, spherize_each
     from ._threads import set_threads, thread_count, threads
+    from ._words import Effort as Effort
+    from ._words import Geometry as Geometry
+    from ._words import Kind as Kind
+    from ._words import Objective as Objective
+    from .external import *
+    from .model import *
+    from .utility import *
 
 __version__: str = _core.version()
 
 #: The kinds of elements, each with the names of its numbers; "position" and "rotation" are those of all.
-KINDS: Mapping[str, tuple[str, ...]] = MappingProxyType(_core.KINDS)
+KINDS: Mapping[Kind, tuple[str, ...]] = MappingProxyType(_core.KINDS)
 
 #: The module of each public name.
 _HOMES = {
-    "Budget": "_own_stages",
-    "Shape": "_own_stages",
-    "spherizer": "_own_stages",
-    "from_trimesh": "_adapters",
+    "approximate": "_search",
     "BatchEntry": "_batch",
+    "BoxElement": "_elements",
+    "Budget": "_own_stages",
+    "CapsuleElement": "_elements",
     "Certificate": "_results",
-    "Cover": "_cover",
-    "Evaluation": "_results",
-    "Event": "_runs",
-    "Figures": "_results",
-    "Finding": "_runs",
-    "Joint": "_robot",
-    "Mesh": "_mesh",
-    "Robot": "_robot",
-    "Run": "_runs",
-    "SelfCollision": "_results",
-    "SphereModel": "_model",
-    "approximate": "_cover",
-    "cover": "_cover",
     "certify": "_judge",
     "check": "_runs",
+    "compare": "_judge",
+    "Comparison": "_results",
+    "Cover": "_cover",
+    "cover": "_search",
+    "CylinderElement": "_elements",
     "describe": "_judge",
+    "Effort": "_words",
+    "Element": "_elements",
+    "Elements": "_elements",
+    "EllipsoidElement": "_elements",
     "evaluate": "_judge",
+    "Evaluation": "_results",
+    "Event": "_events",
+    "example": "_installation",
+    "Figures": "_results",
+    "Finding": "_runs",
+    "Format": "_judge",
+    "formats": "_judge",
+    "from_trimesh": "_adapters",
+    "Geometry": "_words",
+    "HullElement": "_elements",
+    "Joint": "_robot",
+    "Kind": "_words",
     "load": "_robot",
+    "Mesh": "_mesh",
+    "Objective": "_words",
+    "Pair": "_results",
     "plugins": "_judge",
-    "ProvedElement": "_cover",
-    "proved_least": "_cover",
+    "proved_least": "_search",
+    "ProvedElement": "_search",
     "read_batch": "_batch",
     "read_mesh": "_mesh",
     "read_spheres": "_model",
+    "Robot": "_robot",
+    "Run": "_runs",
     "run": "_runs",
+    "run_each": "_runs",
     "self_collision": "_judge",
+    "SelfCollision": "_results",
     "set_threads": "_threads",
-    "spheres_inside": "_cover",
-    "spherize": "_cover",
-    "spherize_each": "_cover",
+    "Shape": "_own_stages",
+    "SphereElement": "_elements",
+    "SphereModel": "_model",
+    "spheres_inside": "_search",
+    "spherize": "_search",
+    "spherize_each": "_search",
+    "spherizer": "_own_stages",
     "stages": "_judge",
+    "SweptBoxElement": "_elements",
     "thread_count": "_threads",
     "threads": "_threads",
 }
@@ -132,62 +173,79 @@ _OLD = {
 _HOMES.update({name: home for home, names in _OLD.items() for name in names})
 
 __all__ = [
-    "Budget",
-    "Shape",
-    "spherizer",
-    "from_trimesh",
-    "BatchEntry",
-    "Cancelled",
-    "Certificate",
-    "Cover",
-    "Error",
-    "Evaluation",
-    "Event",
-    "Figures",
-    "Finding",
-    "GeometryError",
-    "InputError",
-    "Joint",
-    "Mesh",
-    "Robot",
-    "Run",
-    "SelfCollision",
-    "SphereModel",
-    "UsageError",
     "approximate",
-    "cover",
-    "ProvedElement",
-    "proved_least",
+    "BatchEntry",
+    "BoxElement",
+    "Budget",
+    "Cancelled",
+    "CapsuleElement",
+    "Certificate",
     "certify",
     "check",
+    "compare",
+    "Comparison",
+    "Cover",
+    "cover",
+    "CylinderElement",
     "describe",
+    "Elements",
+    "EllipsoidElement",
+    "Error",
     "evaluate",
+    "Evaluation",
+    "Event",
+    "example",
+    "Figures",
+    "Finding",
+    "Format",
+    "formats",
+    "from_trimesh",
+    "GeometryError",
+    "HullElement",
+    "InputError",
+    "Joint",
     "load",
+    "Mesh",
+    "Pair",
     "plugins",
+    "proved_least",
+    "ProvedElement",
     "read_batch",
     "read_mesh",
     "read_spheres",
+    "Robot",
     "run",
+    "Run",
+    "run_each",
     "self_collision",
+    "SelfCollision",
     "set_threads",
+    "Shape",
+    "SphereElement",
+    "SphereModel",
     "spheres_inside",
     "spherize",
     "spherize_each",
+    "spherizer",
     "stages",
+    "SweptBoxElement",
     "thread_count",
     "threads",
+    "UsageError",
 ]
 __all__ += [name for names in _OLD.values() for name in names]
 
 
-def __getattr__(name: str) -> Any:
-    if name in ("model", "utility", "external"):
-        return importlib.import_module(f"foam.{name}")
-    if name not in _HOMES:
-        raise AttributeError(f"module 'foam' has no attribute '{name}'")
-    value = getattr(importlib.import_module(f"foam.{_HOMES[name]}"), name)
-    globals()[name] = value
-    return value
+if not TYPE_CHECKING:  # so that checkers know the names above, and no others
+
+    def __getattr__(name: str) -> Any:
+        if name in ("model", "utility", "external"):
+            return importlib.import_module(f"foam.{name}")
+        if name not in _HOMES:
+            raise AttributeError(f"module 'foam' has no attribute '{name}'")
+        value = getattr(importlib.import_module(f"foam.{_HOMES[name]}"), name)
+        globals()[name] = value
+        return value
 
 
 def __dir__() -> list[str]:

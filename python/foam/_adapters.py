@@ -16,12 +16,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._elements import noun
+from ._installation import program
 from ._mesh import Mesh, mesh_of
 from ._plugins import registry
 from .errors import Error, UsageError
 
 if TYPE_CHECKING:
     from ._model import SphereModel
+    from ._packages import Trimesh
 
 
 def _module(name: str, package: str) -> Any:
@@ -93,13 +96,16 @@ def mesh_of_spheres(rows: ArrayLike) -> Mesh:
     return Mesh(vertices.reshape(-1, 3), all_faces.reshape(-1, 3))
 
 
-def trimesh_of(mesh: Mesh) -> Any:
+def trimesh_of(mesh: Mesh) -> Trimesh:
     """Return a foam.Mesh as a trimesh.Trimesh."""
-    return _module("trimesh", "trimesh").Trimesh(vertices=np.array(mesh.vertices), faces=np.array(mesh.faces), process=False)
+    made: Trimesh = _module("trimesh", "trimesh").Trimesh(
+        vertices=np.array(mesh.vertices), faces=np.array(mesh.faces), process=False
+    )
+    return made
 
 
 def from_trimesh(mesh: Any) -> Mesh:
-    """Return a foam.Mesh of a Trimesh or a Scene of trimesh, or of any object that foam takes for a mesh."""
+    """Return a foam.Mesh, in metres, of a Trimesh or a Scene of trimesh, or of anything that foam takes for a mesh."""
     return mesh_of(mesh)
 
 
@@ -109,41 +115,40 @@ def picture(model: SphereModel, width: int = 480, height: int = 360) -> bytes:
     return _core.picture(registry(), model._sphere_file(), None if robot is None else robot._core, "", width, height)
 
 
-def page_of(model: SphereModel) -> str:
+def page_of(model: SphereModel, certified: bool) -> str:
     """A small table and a picture, as HTML."""
     figures = {one["link"]: one for one in (model.summary or {}).get("links", [])}
-    head = "<tr><th style='text-align:left'>link</th><th>spheres</th><th>largest radius</th>" + ("<th>excess</th>" if figures else "")
+    head = "<tr><th style='text-align:left'>link</th><th>elements</th>" + ("<th>excess</th>" if figures else "")
     rows = []
-    for link, spheres in model.items():
-        radius = f"{1000 * spheres[:, 3].max():.1f} mm" if len(spheres) else ""
+    for link, elements in model.items():
         excess = figures.get(link, {}).get("excess")
         cell = f"<td>{'' if excess is None else f'{excess:.2f}'}</td>" if figures else ""
-        rows.append(f"<tr><td style='text-align:left'>{html.escape(link)}</td><td>{len(spheres)}</td><td>{radius}</td>{cell}</tr>")
+        rows.append(f"<tr><td style='text-align:left'>{html.escape(link)}</td><td>{elements._counts()}</td>{cell}</tr>")
     surfaces = len((model.summary or {}).get("proof", {}).get("as_surface", []))
-    proof = f"; proved to cover the geometry{f', {surfaces} as surfaces' if surfaces else ''}" if model.certified else ""
-    words = f"<b>{html.escape(model.name)}</b>: {model.count} spheres of {len(model)} links{proof}"
+    proof = f"; proved to cover the geometry{f', {surfaces} as surfaces' if surfaces else ''}" if certified else ""
+    words = f"<b>{html.escape(model.name)}</b>: {noun(model.count, 'element')} of {noun(len(model), 'link')}{proof}"
     try:
         image = base64.b64encode(picture(model)).decode()
-        drawn = f"<img alt='the spheres' src='data:image/png;base64,{image}' width='480'>"
+        drawn = f"<img alt='the elements' src='data:image/png;base64,{image}' width='480'>"
     except Error as error:  # e.g. without the plugin that draws
         drawn = f"<p>no picture: {html.escape(str(error))}</p>"
     return f"<div><p>{words}</p><table>{head}</tr>{''.join(rows)}</table>{drawn}</div>"
 
 
-def show(model: SphereModel, path: Any, browse: bool) -> Path:
+def show(model: SphereModel, path: Any, browse: bool, certified: bool) -> Path:
     """Write the page of a model; open it."""
     import webbrowser
 
     if model._recipes is not None and path is None:
         folder = Path(tempfile.mkdtemp(prefix="foam-"))
-        from ._runs import _program
-
         robot = None if model._robot is None else model._robot._core
-        model._recipes.run(0, str(folder / "run"), False, None, _program(), None, None, robot)
+        model._recipes.run(0, str(folder / "run"), False, None, program(), None, None, robot)
         page = folder / "run" / "report.html"
     else:
         page = Path(path) if path is not None else Path(tempfile.mkdtemp(prefix="foam-")) / "model.html"
-        page.write_text(f"<!doctype html><meta charset='utf-8'><title>{html.escape(model.name)}</title>{page_of(model)}\n")
+        title = html.escape(model.name)
+        head = f"<!doctype html><meta charset='utf-8'><title>{title}</title>"
+        page.write_text(f"{head}{page_of(model, certified)}\n", "utf-8")
     if browse:
         webbrowser.open(page.absolute().as_uri())
     else:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any, Iterator
+from typing import TYPE_CHECKING, Any, Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _arrays, _core
+from . import _arrays, _core, _foreign
 from ._plugins import registry
 from .errors import InputError, UsageError
+
+if TYPE_CHECKING:
+    from ._packages import Trimesh
 
 
 class Mesh:
@@ -94,7 +97,7 @@ class Mesh:
         file.write_bytes(writer(self))
         return file
 
-    def to_trimesh(self) -> Any:
+    def to_trimesh(self) -> Trimesh:
         """Return the mesh as a trimesh.Trimesh. Raises UsageError if trimesh is not installed."""
         from . import _adapters
 
@@ -160,40 +163,27 @@ def read_mesh(path: str | os.PathLike[str], *, unit: str | None = None, scale: f
 
 
 def mesh_of(mesh: Any, what: str = "mesh") -> Mesh:
-    """Return what the user calls a mesh as a Mesh: a path, (vertices, faces), or an object that has them.
+    """Return what the user calls a mesh as a Mesh: a path, (vertices, faces), or a mesh of another package.
 
-    Objects: with `vertices` and `faces` (trimesh, foam.Mesh) or `triangles` (Open3D), with `points` and `faces` (PyVista),
-    or a Scene of trimesh.
+    Meshes of trimesh come with their `units`, all others are in metres. Raises InputError for points and for anything
+    else.
     """
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
         return read_mesh(mesh)
-    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
-        return Mesh(mesh[0], mesh[1])
-    if isinstance(getattr(mesh, "geometry", None), dict):  # a scene of trimesh
-        from .utility import as_mesh
-
-        mesh = as_mesh(mesh)
-    vertices = getattr(mesh, "vertices", None)
-    faces = getattr(mesh, "faces", None)
-    if vertices is None and getattr(mesh, "points", None) is not None and faces is not None:  # PyVista
-        return Mesh(mesh.points, _unpadded(faces, what))
+    if isinstance(mesh, (tuple, list)):
+        if mesh and all(map(_is_pair_of_arrays, mesh)):  # coacd.run_coacd()
+            raise InputError(f"{what}: it is a list of {len(mesh)} meshes; remedy: one of them, or all as one mesh")
+        if len(mesh) == 2:
+            return Mesh(mesh[0], mesh[1])
+    vertices, faces = _foreign.arrays_of(mesh, what)
     if faces is None:
-        faces = getattr(mesh, "triangles", None)
-    if vertices is None or faces is None:
-        raise InputError(
-            f"{what}: {type(mesh).__name__} is no mesh; remedy: a path, (vertices, faces), "
-            "or an object with vertices and faces"
-        )
+        raise InputError(f"{what}: {type(mesh).__name__} has points, no faces; remedy: foam.cover(points, n, radii=…)")
     return Mesh(vertices, faces)
 
 
-def _unpadded(faces: Any, what: str) -> NDArray[Any]:
-    """PyVista's faces: 3, a, b, c, 3, …."""
-    array = np.asarray(faces)
-    if array.ndim == 2:
-        return array
-    if array.ndim != 1 or array.size % 4 or (array.reshape(-1, 4)[:, 0] != 3).any():
-        raise InputError(f"{what}: not all faces are triangles; remedy: mesh.triangulate()")
-    return array.reshape(-1, 4)[:, 1:]
+def _is_pair_of_arrays(value: Any) -> bool:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        return False
+    return all(isinstance(one, np.ndarray) and one.ndim == 2 for one in value)

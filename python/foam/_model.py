@@ -5,87 +5,103 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
-from . import _adapters, _arrays, _core
+from . import _adapters, _core
+from ._elements import Element, Elements, ElementsDict, SpheresDict, elements_of
+from ._files import make_folder_of, same_file, write_whole
 from ._plugins import registry
-from ._results import Figures
-from ._robot import Robot, load, warn_of
+from ._results import Certificate, Figures
+from ._robot import Robot, robot_of, warn_of
 from .errors import InputError, UsageError
 
+if TYPE_CHECKING:
+    from ._packages import MjSpec, Trimesh
 
-class SphereModel(Mapping[str, "NDArray[np.float64]"]):
-    """The spheres of a robot's links: a mapping from link names to arrays of shape (n, 4): x, y, z, r.
 
-    Metres, in the frames of the links; the order is that of the URDF. Arrays are read-only.
+class SphereModel(Mapping[str, Elements]):
+    """The elements of a robot's links: a mapping from link names to foam.Elements.
+
+    Metres, in the frames of the links; the order is that of the URDF.
     """
 
     def __init__(
-        self, spheres: Mapping[str, ArrayLike], robot: Robot | None = None, *, name: str = "model",
+        self, elements: Mapping[str, Any], robot: Robot | None = None, *, name: str = "model",
         summary: dict[str, Any] | None = None,
     ) -> None:
-        given = {link: _rows(value, link) for link, value in spheres.items()}
+        given = {link: elements_of(value, f"spheres of {link}") for link, value in elements.items()}
         if robot is not None:
             unknown = [link for link in given if link not in robot.links]
             if unknown:
                 raise InputError(f"{', '.join(unknown)}: no link of {robot.file}; there are: {', '.join(robot.links)}")
             given = {link: given[link] for link in robot.links if link in given}
-        self._spheres = given
+        self._links = given
         self._robot = robot
         self.name = name
         self.summary = summary  #: of the run that made the model, as `foam run --json` prints it; else None
         self.notes: list[str] = []
-        self._elements: dict[str, list[dict[str, Any]]] = {}
+        self._certificate: Certificate | None = None
         self._file: _core.SphereFile | None = None
         self._of_run: _core.Model | None = None
         self._recipes: _core.Recipes | None = None
+
+    @classmethod
+    def _of_file(
+        cls, file: _core.SphereFile, robot: Robot | None, name: str, summary: dict[str, Any] | None
+    ) -> SphereModel:
+        """Return the model of what C++ holds; links without elements are left out."""
+        model = cls({}, name=name, summary=summary)
+        others = dict(file.elements())
+        found = {link: Elements(rows, others.get(link, ())) for link, rows in file.links()}
+        found = {link: elements for link, elements in found.items() if elements}
+        if robot is not None:  # links that only carry spheres of others, and links of another robot, stay
+            found = {link: found[link] for link in sorted(found, key=_order_of(robot.links))}
+        model._links = found
+        model._robot = robot
+        model._file = file
+        return model
 
     @property
     def robot(self) -> Robot | None:
         """The robot that the model is of, if it is known."""
         return self._robot
 
-    def __getitem__(self, link: str) -> NDArray[np.float64]:
-        return self._spheres[link]
+    def __getitem__(self, link: str) -> Elements:
+        return self._links[link]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._spheres)
+        return iter(self._links)
 
     def __len__(self) -> int:
-        return len(self._spheres)
+        return len(self._links)
 
     @property
     def count(self) -> int:
-        """The number of all elements; most models have spheres alone."""
-        return sum(len(spheres) for spheres in self._spheres.values()) + sum(map(len, self._elements.values()))
+        """The number of all elements."""
+        return sum(map(len, self._links.values()))
 
-    def elements(self, link: str) -> list[dict[str, Any]]:
-        """Return all elements of a link as dictionaries, spheres first. The arrays of the mapping have the spheres alone.
+    def elements(self, link: str) -> list[Element]:
+        """Return all elements of a link as records, spheres first.
 
         Each has "kind", "position" and what its kind needs by `foam.KINDS`, in metres: "radius"; "length" along z, of the
         axis without caps; "size" of a box, with a radius that of the box within; "vertices"; "radii", the half axes.
         "rotation" has the rows of the matrix from the element's frame to the link's.
         """
-        spheres = [{"kind": "sphere", "position": row[:3].tolist(), "radius": float(row[3])} for row in self[link]]
-        return spheres + [dict(element) for element in self._elements.get(link, [])]
+        return self[link].elements
 
-    def _take_elements(self, file: _core.SphereFile) -> None:
-        """Keep the elements of other kinds than sphere; further calls of foam get them from the file."""
-        self._elements = dict(file.elements())
-        if self._elements:
-            self._file = file
-            none = np.zeros((0, 4))
-            none.flags.writeable = False
-            self._spheres |= {link: none for link in self._elements if link not in self._spheres}
+    @property
+    def certificate(self) -> Certificate:
+        """The proof as foam.certify() gives it: what is proved, or where it fails. Made when it is first read.
 
-    def _require_spheres(self, what: str) -> None:
-        if self._elements:
-            kinds = sorted({element["kind"] for elements in self._elements.values() for element in elements})
-            raise UsageError(f"{what} takes spheres alone, and this model has other elements ({', '.join(kinds)}); "
-                             "remedy: a model of spheres, or save() in a format that holds them")
+        Raises UsageError for a model without robot.
+        """
+        if self._robot is None:
+            raise UsageError("the robot of this model is not known; remedy: foam.certify(robot, model)")
+        if self._certificate is None:
+            from ._judge import certify
+
+            self._certificate = certify(self._robot, self)
+        return self._certificate
 
     @property
     def certified(self) -> bool:
@@ -107,29 +123,17 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
             raise UsageError("this model was made by no run; remedy: foam.evaluate(robot, model).total")
         return Figures(self.summary["total"])
 
-    def to_dict(self) -> dict[str, dict[str, Any]]:
-        """Return {link: {"centers": [[x, y, z], …], "radii": […]}}: numbers for JSON, and for pyroki."""
-        self._require_spheres("to_dict()")
-        return {
-            link: {"centers": spheres[:, :3].tolist(), "radii": spheres[:, 3].tolist()}
-            for link, spheres in self._spheres.items()
-        }
+    def to_dict(self) -> dict[str, SpheresDict | ElementsDict]:
+        """Return {link: {"centers": [[x, y, z], …], "radii": […]}}, numbers for JSON.
+
+        A link with elements of other kinds has {"elements": […]}.
+        """
+        return {link: elements.to_dict() for link, elements in self._links.items()}
 
     @classmethod
-    def from_dict(cls, spheres: Mapping[str, Any], robot: Robot | None = None, *, name: str = "model") -> SphereModel:
+    def from_dict(cls, elements: Mapping[str, Any], robot: Robot | None = None, *, name: str = "model") -> SphereModel:
         """Return the model of such a dictionary; arrays of shape (n, 4) are taken as well."""
-        rows = {}
-        for link, value in spheres.items():
-            if isinstance(value, Mapping):
-                if "centers" not in value or "radii" not in value:
-                    raise InputError(f"{link}: the keys 'centers' and 'radii' are expected, got {', '.join(value)}")
-                centers = _arrays.rows(value["centers"], f"{link}: centers")
-                radii = np.asarray(value["radii"], dtype=np.float64).reshape(-1, 1)
-                if len(centers) != len(radii):
-                    raise InputError(f"{link}: {len(centers)} centers, but {len(radii)} radii")
-                value = np.concatenate([centers, radii], axis=1)
-            rows[link] = value
-        return cls(rows, robot, name=name)
+        return cls(elements, robot, name=name)
 
     def save(
         self,
@@ -148,7 +152,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
 
         Args:
             path: the file; its ending selects the format.
-            format: urdf, json, curobo, xrdf, srdf, mjcf, pyroki…: `foam formats` lists them.
+            format: urdf, json, curobo, xrdf, srdf, mjcf, pyroki…: foam.formats() lists them.
             into: a file of yours that is copied to `path` with its spheres replaced; it may be `path` itself.
             base_link, tool_frames, lock_joints, default_pose: what formats state of a robot beyond its URDF. Where a
                 format needs a tool frame and none is given, it is the tip of the robot, if there is one alone.
@@ -160,7 +164,7 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         """
         target = Path(path)
         source = None if into is None else Path(into)
-        if not force and self._robot is not None and _same(target, self._robot.file):
+        if not force and self._robot is not None and same_file(target, self._robot.file):
             raise UsageError(f"{target}: it is the robot's own file; remedy: another name, or force=True")
         if source is not None and not source.is_file():
             raise InputError(f"{source}: there is no such file")
@@ -173,13 +177,19 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         main = os.path.realpath(target)
         for file, content in sorted(files, key=lambda one: os.path.realpath(one[0]) == main):  # last the one that names others
             if os.path.realpath(file) != main:
-                _make_folder_of(Path(file))
-            _write_whole(Path(file), content)
+                make_folder_of(Path(file))
+            write_whole(Path(file), content)
         return [Path(file) for file, _ in files]
 
-    def to_pyroki(self) -> dict[str, dict[str, Any]]:
-        """Return the dictionary that pyroki's RobotCollision.create_sphere_collision takes: that of to_dict()."""
-        return self.to_dict()
+    def to_pyroki(self) -> dict[str, SpheresDict]:
+        """Return the dictionary that pyroki's RobotCollision.create_sphere_collision takes.
+
+        Raises UsageError if not all elements are spheres.
+        """
+        return {
+            link: {"centers": elements.centers.tolist(), "radii": elements.radii.tolist()}
+            for link, elements in self._links.items()
+        }
 
     def to_curobo(
         self, *, tool_frames: Iterable[str] = (), base_link: str = "", lock_joints: Mapping[str, float] | None = None,
@@ -202,13 +212,21 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         facts = {"tool_frames": tool_frames, "base_link": base_link, "lock_joints": lock_joints}
         return _adapters.files_of(self, "vamp", f"{self.name}.urdf", facts, set)
 
+    @overload
+    def to_mujoco(self) -> str: ...
+    @overload
+    def to_mujoco(
+        self, spec: MjSpec, *, bodies: Mapping[str, str] | None = None, group: int = 3,
+        pairs: Iterable[Any] | None = None,
+    ) -> int: ...  # fmt: skip
     def to_mujoco(
         self, spec: Any = None, *, bodies: Mapping[str, str] | None = None, group: int = 3, pairs: Any = None
     ) -> Any:
         """Put the elements into the bodies of a mujoco.MjSpec as geoms without mass; return their number.
 
-        Without a spec: return an MJCF text of the robot, without visuals, as these name files. `bodies`: the body of each link, where the names differ.
-        `pairs`: pairs of links that are excluded, such as foam.self_collision(…).ignored().
+        Without a spec: return an MJCF text of the robot, without visuals, as these name files. `bodies`: the body of
+        each link, where the names differ. `pairs`: pairs of links that are excluded, such as
+        foam.self_collision(…).ignored().
 
         The geoms take the place of those that have contact: these stay as they look, with contype and conaffinity 0, and
         their masks and friction go to the new ones. A body whose frame differs from its link's gets the elements in its
@@ -219,10 +237,9 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
             return _adapters.files_of(self, "mjcf", f"{self.name}.xml", {}, {"visuals": False})[f"{self.name}.xml"]
         return _adapters.to_mujoco(self, spec, bodies, group, pairs)
 
-    def to_trimesh(self) -> dict[str, Any]:
-        """Return the spheres of each link as one trimesh.Trimesh, in the frame of the link, for pictures."""
-        self._require_spheres("to_trimesh()")
-        return {link: _adapters.trimesh_of(_adapters.mesh_of_spheres(rows)) for link, rows in self._spheres.items()}
+    def to_trimesh(self) -> dict[str, Trimesh]:
+        """Return the elements of each link as one trimesh.Trimesh, in the frame of the link, for pictures."""
+        return {link: elements.to_trimesh() for link, elements in self._links.items()}
 
     def picture(self, width: int = 960, height: int = 720) -> bytes:
         """Return a PNG: the geometry, translucent, over the spheres."""
@@ -234,91 +251,52 @@ class SphereModel(Mapping[str, "NDArray[np.float64]"]):
         For a model of a run it is the report of that run, which is repeated from the cache. `path`: write a page with
         the table and the picture of Jupyter there instead. browse=False: only write it.
         """
-        return _adapters.show(self, path, browse)
+        return _adapters.show(self, path, browse, self.certified)
 
     def _repr_html_(self) -> str:
-        return _adapters.page_of(self)
+        return _adapters.page_of(self, self.certified)
 
     def _sphere_file(self) -> _core.SphereFile:
-        if self._file is not None:
-            return self._file
-        return _core.SphereFile(list(self._spheres.items()), self.name)
+        """Return the elements as C++ holds them."""
+        if self._file is None:
+            spheres = [(link, elements._rows) for link, elements in self._links.items()]
+            others = [(link, elements._others) for link, elements in self._links.items() if elements._others]
+            self._file = _core.SphereFile(spheres, self.name, others)
+        return self._file
 
     def __reduce__(self) -> tuple[Any, ...]:
-        spheres = {link: np.array(rows) for link, rows in self._spheres.items()}
-        return _restored, (spheres, self._robot, self.name, self.summary, self.notes, self._elements)
+        return _restored, (self._links, self._robot, self.name, self.summary, self.notes)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, SphereModel):
             return NotImplemented
-        same = list(self) == list(other) and all(np.array_equal(self[link], other[link]) for link in self)
-        return same and self._elements == other._elements
+        return list(self) == list(other) and all(self[link] == other[link] for link in self)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         surfaces = len(self.summary["proof"].get("as_surface", [])) if self.summary is not None else 0
         proof = (f", certified, {surfaces} as surfaces" if surfaces else ", certified") if self.certified else ""
-        noun = "elements" if self._elements else "spheres"
+        noun = "elements" if any(elements._others for elements in self._links.values()) else "spheres"
         return f"<foam.SphereModel '{self.name}': {self.count} {noun} of {len(self)} links{proof}>"
 
 
-def _rows(value: ArrayLike, link: str) -> NDArray[np.float64]:
-    rows = _arrays.rows(value, f"spheres of {link}", 4)
-    if not np.isfinite(rows).all() or (rows[:, 3] <= 0).any():
-        raise InputError(f"spheres of {link}: numbers that are not finite, or a radius that is not above 0")
-    if rows.flags.writeable:
-        rows = rows.copy()
-        rows.flags.writeable = False
-    return rows
-
-
-def _restored(
-    spheres: Any, robot: Any, name: str, summary: Any, notes: list[str], elements: Any = None
-) -> SphereModel:
-    model = SphereModel(spheres, robot, name=name, summary=summary)
+def _restored(links: Any, robot: Any, name: str, summary: Any, notes: list[str]) -> SphereModel:
+    model = SphereModel(links, name=name, summary=summary)
+    model._robot = robot
     model.notes = notes
-    if elements:
-        model._take_elements(_core.SphereFile(list(model._spheres.items()), name, list(elements.items())))
     return model
 
 
-def _same(first: Path, second: Path) -> bool:
-    return first.exists() and second.exists() and first.samefile(second)
-
-
-def _make_folder_of(file: Path) -> None:
-    """Make the folder of the meshes beside a file; that of the file itself is to be there."""
-    try:
-        file.parent.mkdir(exist_ok=True)
-    except OSError as error:
-        raise UsageError(f"{file.parent}: it cannot be made ({error.strerror}); remedy: check its folder") from None
-
-
-def _write_whole(file: Path, content: bytes) -> None:
-    """In one step, so that a reader never sees half of it. A link stays; a device or a pipe is written to."""
-    file = Path(os.path.realpath(file)) if file.is_symlink() else file
-    if file.exists() and not file.is_file() and not file.is_dir():
-        file.write_bytes(content)
-        return
-    partial = file.with_name(f"{file.name}.partial-{os.getpid()}")
-    try:
-        partial.write_bytes(content)
-        os.replace(partial, file)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise UsageError(f"{file}: it cannot be written ({error.strerror}); remedy: check that its folder exists") from None
-
-
 def read_spheres(
-    path: str | os.PathLike[str], *, robot: Robot | str | os.PathLike[str] | None = None, reader: str = "",
+    path: str | os.PathLike[str], *, robot: Any = None, reader: str = "",
     rename: Mapping[str, str] | None = None,
 ) -> SphereModel:
-    """Return the spheres of a file of any program that foam reads; its content selects the format.
+    """Return the elements of a file of any program that foam reads; its content selects the format.
 
     Args:
         path: the file: URDF, cuRobo, XRDF, Lula, MorphIt, pyroki, MJCF, CSV….
-        robot: the robot that they belong to.
+        robot: the robot that they belong to: a Robot, or what foam.load() takes.
         reader: the stage that reads the file, such as "read.curobo", if its content does not tell.
         rename: old and new names of links, or beginnings of names; "" is the link of a format without names.
 
@@ -329,14 +307,7 @@ def read_spheres(
     if not file.is_file():
         raise InputError(f"{file}: there is no such file")
     read = _core.read_spheres(str(file), registry(), reader, list((rename or {}).items()))
-    spheres = {link: np.asarray(rows) for link, rows in read.links() if len(np.asarray(rows))}
-    of = load(robot) if isinstance(robot, (str, os.PathLike)) else robot
-    if of is not None:  # links that only carry spheres of others, and links of another robot, stay
-        spheres = {link: spheres[link] for link in sorted(spheres, key=_order_of(of.links))}
-    model = SphereModel(spheres, name=file.stem)
-    model._robot = of
-    model._take_elements(read)
-    model._file = read
+    model = SphereModel._of_file(read, None if robot is None else robot_of(robot), file.stem, None)
     model.notes = read.notes()
     return model
 
@@ -346,18 +317,15 @@ def _order_of(links: list[str]) -> Any:
     return lambda link: places.get(link, len(places))
 
 
-def model_of(spheres: Any, robot: Robot) -> SphereModel:
+def model_of(model: Any, robot: Robot) -> SphereModel:
     """Return what the user calls a sphere model as one."""
-    from ._cover import Cover
-
-    if isinstance(spheres, SphereModel):
-        return spheres
-    if isinstance(spheres, (str, os.PathLike)):
-        return read_spheres(spheres)
-    if isinstance(spheres, Mapping):
-        return SphereModel.from_dict(spheres)
-    rows = spheres.spheres if isinstance(spheres, Cover) else spheres
+    if isinstance(model, SphereModel):
+        return model
+    if isinstance(model, (str, os.PathLike)):
+        return read_spheres(model)
+    if isinstance(model, Mapping):
+        return SphereModel.from_dict(model)
     links = robot.links_with_geometry
     if len(links) != 1:
-        raise InputError(f"{robot.file} has {len(links)} links with geometry; remedy: spheres by link, {{link: rows}}")
-    return SphereModel({links[0]: rows})
+        raise InputError(f"{robot.file} has {len(links)} links with geometry; remedy: {{link: elements}}")
+    return SphereModel({links[0]: model})

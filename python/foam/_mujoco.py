@@ -311,10 +311,12 @@ def _prove(mj: Any, model: SphereModel, spec: Any, bodies: Mapping[str, str], fr
     if model.robot is None:
         return
     robot = model.robot._core
-    spheres, others = [], []
+    spheres: list[tuple[str, Matrix]] = []
+    others: list[tuple[str, list[Any]]] = []
     vertices = {mesh.name: mesh.uservert for mesh in spec.meshes}
     for link, body in bodies.items():
-        rows, rest = [], []
+        rows: list[list[float]] = []
+        rest: list[Any] = []
         for geom in spec.body(body).geoms:
             if geom.contype or geom.conaffinity:
                 element = _element(mj, geom, frames[link].pose, vertices)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import html
 import math
-from typing import Any, Mapping
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, TypedDict
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ._words import Reason
 
 
 class Figures:
@@ -16,23 +19,36 @@ class Figures:
     of the documentation defines them.
     """
 
-    __slots__ = ("_values",)
-
-    excess: float
-    missing: float
+    spheres: int  #: the number of elements
+    certified: bool
     gap_m: float
     covered: float
-    spheres: int
-    certified: bool
+    covered_standard_error: float  #: of foam.evaluate()
+    excess: float
+    excess_standard_error: float
+    excess_volume_m3: float
+    excess_volume_standard_error_m3: float
+    missing: float
+    missing_standard_error: float
+    missing_volume_m3: float
+    missing_volume_standard_error_m3: float
+    protrusion_max_m: float
+    protrusion_mean_m: float
+    exposed_area_m2: float
+    volume_m3: float
+    area_m2: float
+    volume_ratio: float  #: of foam.evaluate()
 
     def __init__(self, values: Mapping[str, Any]) -> None:
         self._values = dict(values)
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name not in self._values:
-            raise AttributeError(f"there is no figure '{name}'; there are: {', '.join(self._values)}")
-        value = self._values[name]
-        return math.inf if value is None else value
+    if not TYPE_CHECKING:  # so that checkers know the figures above, and no others
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_") or name not in self._values:
+                raise AttributeError(f"there is no figure '{name}'; there are: {', '.join(self._values)}")
+            value = self._values[name]
+            return math.inf if value is None else value
 
     def __dir__(self) -> list[str]:
         return sorted(self._values)
@@ -114,6 +130,46 @@ class Evaluation(_Judged):
         return f"<foam.Evaluation: {len(self._values['links'])} links, {self.total!r}>"
 
 
+class Comparison(Mapping[str, Evaluation]):
+    """The figures of several models of one robot, by the names of the models."""
+
+    def __init__(self, evaluations: Mapping[str, Evaluation]) -> None:
+        self._evaluations = dict(evaluations)
+
+    def __getitem__(self, name: str) -> Evaluation:
+        return self._evaluations[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._evaluations)
+
+    def __len__(self) -> int:
+        return len(self._evaluations)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what `foam compare --json` prints."""
+        values = [one.to_dict() for one in self.values()]
+        own = [{key: value for key, value in one.items() if key not in ("original", "seed")} for one in values]
+        return {"original": values[0]["original"], "models": own}
+
+    def _table(self) -> list[list[str]]:
+        rows = [["", "elements", "covered", "gap", "excess", "missing", "certified"]]
+        for name, one in self.items():
+            total = one.total
+            numbers = [f"{100 * total.covered:.1f} %", f"{1000 * total.gap_m:.1f} mm"]
+            numbers += [f"{total.excess:.2f}", f"{total.missing:.2f}"]
+            rows.append([name, str(total.spheres), *numbers, "yes" if one.certified else "no"])
+        return rows
+
+    def _repr_html_(self) -> str:
+        rows = ["".join(f"<td>{html.escape(cell)}</td>" for cell in row) for row in self._table()]
+        return f"<table>{''.join(f'<tr>{row}</tr>' for row in rows)}</table>"
+
+    def __repr__(self) -> str:
+        table = self._table()
+        widths = [max(map(len, column)) for column in zip(*table)]
+        return "\n".join("  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths)) for row in table)
+
+
 class Certificate(_Judged):
     """The proof that spheres cover a geometry (or lie inside it), or where it fails."""
 
@@ -143,6 +199,21 @@ class Certificate(_Judged):
         return f"<foam.Certificate: {holds if self.holds else 'fails for ' + ', '.join(self.witnesses)}>"
 
 
+class _Pair(TypedDict):
+    link1: str
+    link2: str
+    ignored: bool
+
+
+class Pair(_Pair, total=False):
+    """A pair of links: whether it needs a collision check, and why not."""
+
+    reason: Reason
+    proved: bool
+    samples: int
+    contacts: int
+
+
 class SelfCollision(_Result):
     """The pairs of links that never need a collision check, and why."""
 
@@ -151,11 +222,11 @@ class SelfCollision(_Result):
         self._srdf, self._curobo = srdf, curobo
 
     @property
-    def pairs(self) -> list[dict[str, Any]]:
+    def pairs(self) -> list[Pair]:
         """All pairs of links with spheres: link1, link2, ignored, reason, proved, samples, contacts."""
         return list(self._values["pairs"])
 
-    def ignored(self) -> list[tuple[str, str, str]]:
+    def ignored(self) -> list[tuple[str, str, Reason]]:
         """Return the pairs that need no check: (link, link, "Adjacent", "Always", "Default" or "Never")."""
         return [(p["link1"], p["link2"], p["reason"]) for p in self._values["pairs"] if p["ignored"]]
 
@@ -171,7 +242,7 @@ class SelfCollision(_Result):
         """Return `self_collision_ignore` (YAML) of cuRobo's robot files."""
         return self._curobo
 
-    def to_xrdf(self) -> dict[str, Any]:
+    def to_xrdf(self) -> dict[str, dict[str, list[str]]]:
         """Return the section `self_collision` of an XRDF: {"ignore": {link: [links]}}."""
         ignore: dict[str, list[str]] = {}
         for first, second, _ in self.ignored():

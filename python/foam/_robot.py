@@ -6,16 +6,22 @@ import os
 import sys
 import tempfile
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._cover import _count, _limit, _seed
+from ._arguments import count_of, limit_of, seed_of
+from ._events import Progress
+from ._memory import Source, source_of
 from ._mesh import Mesh
 from ._plugins import registry
-from .errors import InputError, UsageError
+from ._words import Effort, Geometry, JointKind, Kind, Objective
+from .errors import InputError, UsageError, in_python
+
+if TYPE_CHECKING:
+    from ._model import SphereModel
 
 #: Keys of recipes about what foam.load() reads.
 _OF_LOAD = {"mesh", "robot", "robot.urdf", "unit", "scale", "package_path", "loaders"}
@@ -26,7 +32,7 @@ class Joint:
     """A joint as the URDF has it: metres, radians."""
 
     name: str
-    kind: str  #: fixed, revolute, continuous, prismatic, planar or floating
+    kind: JointKind
     parent: str  #: link
     child: str  #: link
     xyz: tuple[float, float, float]  #: of the origin, in the parent's frame
@@ -66,28 +72,40 @@ def warn_of(notes: Iterable[str], where: str) -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == "foam":
         frame, level = frame.f_back, level + 1
     for note in notes:
-        warnings.warn(f"{where}: {note}", UserWarning, stacklevel=level)
+        warnings.warn(in_python(f"{where}: {note}"), UserWarning, stacklevel=level)
 
 
 class Robot:
     """A robot, or a mesh as a robot with one link. Make it by foam.load(), which reads its files.
 
-    Files that change or vanish later change nothing. It can be pickled: the files are then read again.
+    Files that change or vanish later change nothing. It can be pickled: files are then read again.
     """
 
     def __init__(
-        self, file: str | os.PathLike[str], unit: str | None, scale: float, geometry: str, links: tuple[str, ...],
-        packages: Any,
-    ) -> None:
-        self._arguments = (os.path.abspath(file), unit, scale, geometry, links, packages)
-        if not os.path.isfile(file):
-            raise InputError(f"{file}: {'it is no file' if os.path.exists(file) else 'there is no such file'}")
+        self, given: str | os.PathLike[str] | Source, unit: str | None, scale: float, geometry: Geometry,
+        links: tuple[str, ...], packages: Any,
+    ) -> None:  # fmt: skip
+        own = given if isinstance(given, Source) else os.path.abspath(given)
+        self._arguments = (own, unit, scale, geometry, links, packages)
         self._packages = _Packages(packages)
-        self.file = Path(file)  #: as it was given
-        self._core = _core.Robot(
-            self._arguments[0], registry(), unit, float(scale), geometry, list(links), self._packages.folders
-        )
-        warn_of(self._core.notes(), str(file))
+        if isinstance(given, Source):
+            self.file = Path(given.name)  #: as it was given; of a robot in memory its name
+            with given.written() as file:
+                self._core = self._read(file, given.name)
+        else:
+            if not os.path.isfile(given):
+                raise InputError(f"{given}: {'it is no file' if os.path.exists(given) else 'there is no such file'}")
+            self.file = Path(given)
+            self._core = self._read(os.path.abspath(given), "")
+        warn_of(self._core.notes(), str(self.file))
+
+    def _read(self, file: str, name: str) -> _core.Robot:
+        _, unit, scale, geometry, links, _ = self._arguments
+        return _core.Robot(file, registry(), unit, float(scale), geometry, list(links), self._packages.folders, name)
+
+    @property
+    def _file_is_own(self) -> bool:
+        return not isinstance(self._arguments[0], Source)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Robot, self._arguments
@@ -129,8 +147,8 @@ class Robot:
         method: str = "cover",
         excess: float | None = None,
         max_protrusion: float | None = None,
-        effort: str | None = None,
-        objective: str | None = None,
+        effort: Effort | None = None,
+        objective: Objective | None = None,
         keep: Iterable[str] | str = (),
         skip: Iterable[str] | str = (),
         weights: Mapping[str, float] | None = None,
@@ -139,9 +157,9 @@ class Robot:
         seed: int | None = None,
         time_limit: float | None = None,
         fresh: bool = False,
-        progress: Callable[[Any], object] | None = None,
-    ) -> Any:
-        """Return a SphereModel: the spheres of all links, proved to cover them. It is `foam spherize`.
+        progress: Progress | None = None,
+    ) -> SphereModel:
+        """Return the model: the spheres of all links, proved to cover them. It is `foam spherize`.
 
         Args:
             spheres: the greatest number of spheres of the whole robot.
@@ -171,14 +189,14 @@ class Robot:
     def approximate(
         self,
         elements: int | None = None,
-        kinds: Iterable[str] | str = ("sphere", "capsule", "box"),
+        kinds: Iterable[Kind] | Kind = ("sphere", "capsule", "box"),
         *,
         cost: float | None = None,
         costs: Mapping[str, float] | None = None,
         excess: float | None = None,
         max_protrusion: float | None = None,
-        effort: str | None = None,
-        objective: str | None = None,
+        effort: Effort | None = None,
+        objective: Objective | None = None,
         keep: Iterable[str] | str = (),
         skip: Iterable[str] | str = (),
         weights: Mapping[str, float] | None = None,
@@ -187,9 +205,9 @@ class Robot:
         seed: int | None = None,
         time_limit: float | None = None,
         fresh: bool = False,
-        progress: Callable[[Any], object] | None = None,
-    ) -> Any:
-        """Return a SphereModel of convex elements: those of all links, proved to cover them. It is `foam approximate`.
+        progress: Progress | None = None,
+    ) -> SphereModel:
+        """Return the model of convex elements: those of all links, proved to cover them. It is `foam approximate`.
 
         Args:
             elements: the greatest number of elements of the whole robot.
@@ -200,9 +218,39 @@ class Robot:
 
         The other arguments, and the errors, are those of spherize().
         """
-        words = [kinds] if isinstance(kinds, str) else list(kinds)
+        words: list[Kind] = [kinds] if isinstance(kinds, str) else list(kinds)
         return self._made(
             "", words, elements, excess, max_protrusion, cost, costs or {}, effort, objective,
+            self._links(keep, skip, weights, links), set, seed, time_limit, fresh, progress,
+        )  # fmt: skip
+
+    def cover(
+        self,
+        elements: int | None = None,
+        kinds: Iterable[Kind] | Kind = "sphere",
+        *,
+        excess: float | None = None,
+        max_protrusion: float | None = None,
+        effort: Effort | None = None,
+        objective: Objective | None = None,
+        keep: Iterable[str] | str = (),
+        skip: Iterable[str] | str = (),
+        weights: Mapping[str, float] | None = None,
+        links: Mapping[str, Mapping[str, Any]] | None = None,
+        set: Mapping[str, Any] | None = None,
+        seed: int | None = None,
+        time_limit: float | None = None,
+        fresh: bool = False,
+        progress: Progress | None = None,
+    ) -> SphereModel:
+        """Return a model of at most `elements` elements of the kinds: what foam.cover() is for a mesh.
+
+        It is spherize() where the one kind is "sphere", else approximate(); arguments and errors are theirs.
+        """
+        words: list[Kind] = [kinds] if isinstance(kinds, str) else list(kinds)
+        method, chosen = ("cover", None) if words == ["sphere"] else ("", words)
+        return self._made(
+            method, chosen, elements, excess, max_protrusion, None, {}, effort, objective,
             self._links(keep, skip, weights, links), set, seed, time_limit, fresh, progress,
         )  # fmt: skip
 
@@ -224,27 +272,28 @@ class Robot:
         return settings
 
     def _made(
-        self, method: str, kinds: list[str] | None, count: int | None, excess: float | None,
-        max_protrusion: float | None, cost: float | None, costs: Mapping[str, float], effort: str | None,
-        objective: str | None, links: dict[str, dict[str, Any]], set: Mapping[str, Any] | None,
-        seed: int | None, time_limit: float | None, fresh: bool, progress: Callable[[Any], object] | None,
-    ) -> Any:  # fmt: skip
+        self, method: str, kinds: list[Kind] | None, count: int | None, excess: float | None,
+        max_protrusion: float | None, cost: float | None, costs: Mapping[str, float], effort: Effort | None,
+        objective: Objective | None, links: dict[str, dict[str, Any]], set: Mapping[str, Any] | None,
+        seed: int | None, time_limit: float | None, fresh: bool, progress: Progress | None,
+    ) -> SphereModel:  # fmt: skip
         """Return the model that the recipe for these arguments makes; `kinds`: None for spheres alone."""
         from . import _runs
 
         for key in set or {}:
             if key in _OF_LOAD or key.startswith("loaders."):
                 raise UsageError(f"set: '{key}' is of the input, which foam.load() has read; remedy: foam.load(…)")
-        _, unit, scale, geometry, globs, _ = self._arguments
+        given, unit, scale, geometry, globs, _ = self._arguments
         name, text, left_out, stage = _core.quick_recipe(
-            self._arguments[0], method, kinds, None if count is None else _count(count), excess, max_protrusion,
+            given if isinstance(given, str) else str(self.file), method, kinds,
+            None if count is None else count_of(count), excess, max_protrusion,
             None if cost is None else float(cost), costs, objective or "" if kinds is not None else "", unit, scale,
             geometry, registry(),
         )  # fmt: skip
         warn_of([f"no plugin offers {missing}; it is skipped" for missing in left_out], str(self.file))
         settings: dict[str, Any] = {}
         if seed is not None:
-            settings["seed"] = _seed(seed)
+            settings["seed"] = seed_of(seed)
         if effort is not None:
             settings[f"stages.{stage}.effort"] = effort
         if objective is not None and kinds is None:
@@ -257,7 +306,7 @@ class Robot:
             settings["links"] = own
         settings.update(set or {})
         recipes = _core.Recipes(registry(), None, text, f"{name}.yaml", _runs.settings_of(settings), [])
-        (run,) = _runs.run_all(recipes, None, fresh, _limit(time_limit), progress, None, self)
+        (run,) = _runs.run_all(recipes, None, fresh, limit_of(time_limit), progress, None, self)
         run.model._robot = self
         return run.model
 
@@ -266,27 +315,41 @@ class Robot:
 
 
 def load(
-    path: str | os.PathLike[str],
+    robot: Any,
     *,
     packages: Any = None,
     unit: str | None = None,
     scale: float = 1.0,
-    geometry: str = "collision",
+    geometry: Geometry = "collision",
     links: Iterable[str] = (),
+    radii: Any = None,
 ) -> Robot:
-    """Return the robot of a file (URDF, MJCF, SDF, USD), or a mesh file as a robot with one link. USD needs usd-core.
+    """Return the robot of a file (URDF, MJCF, SDF, USD) or in memory, or a mesh as a robot with one link.
+
+    What it reads is what is used, whatever happens to the files later. USD needs usd-core.
 
     Args:
-        path: the file. It and its meshes are read once, here.
+        robot: a file; the text of a URDF, whose relative references lead from the current folder; a mujoco.MjSpec; a
+            yourdfpy.URDF; or a mesh or points as of foam.cover(), the link is then "mesh" or "points".
         packages: folders of ROS packages by name ({"my_robot": "…"}), or folders that contain packages. Others are
             searched as FOAM_PACKAGE_PATH and ROS_PACKAGE_PATH say, and around the URDF.
-        unit, scale: of a mesh whose format states no unit ("mm", "in"…).
+        unit, scale: of a mesh file whose format states no unit ("mm", "in"…).
         geometry: what spheres are to cover and are judged by: "collision", "visual", "both", or
             "collision-or-visual": that of a link without collision geometry is its visual geometry.
         links: globs of the links to read, to spherize and to judge; none: all.
+        radii: of points, as of foam.cover().
 
     Raises:
         InputError: the file or a mesh of it cannot be read; the message names it, and where it was searched.
+        UsageError: `unit` or `scale` of what is in memory, and so in metres.
     """
     os.environ.setdefault("FOAM_PYTHON", sys.executable)  # which reads USD
-    return Robot(path, unit, scale, geometry, tuple(links), packages)
+    source = source_of(robot, radii)
+    if source is not None and (unit is not None or scale != 1):
+        raise UsageError("unit, scale: they are of mesh files; remedy: give what is in memory in metres")
+    return Robot(robot if source is None else source, unit, scale, geometry, tuple(links), packages)
+
+
+def robot_of(robot: Any) -> Robot:
+    """Return a robot, or that of what load() takes."""
+    return robot if isinstance(robot, Robot) else load(robot)

@@ -4,44 +4,28 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from . import _core
-from ._cover import _limit
+from ._arguments import limit_of
+from ._events import Progress, teller
+from ._installation import program
 from ._model import SphereModel
 from ._plugins import registry
 from ._results import Figures
 from ._robot import Robot, warn_of
+from ._words import Severity
 from .errors import InputError, UsageError
-
-
-class Event(NamedTuple):
-    """An event of a run, for progress callbacks."""
-
-    kind: str  #: run_started, input_loaded, task_started, task_finished, progress, finding or run_finished
-    link: str  #: empty: the whole run
-    stage: str
-    done: float  #: share of the whole run, 0 to 1
-    seconds: float  #: since the start
-    seconds_left: Optional[float]  #: if it is known
-    message: str
-    severity: str  #: of a finding: debug, info, warning or error
-    cached: bool  #: task_finished: taken from the cache
-
-    def __str__(self) -> str:
-        words = [f"{100 * self.done:3.0f} %", self.kind.replace("_", " "), self.stage, self.link, self.message]
-        return " ".join(word for word in words if word)
 
 
 class Finding(NamedTuple):
     """A finding of foam.check()."""
 
-    severity: str  #: error or warning
+    severity: Severity  #: error or warning
     file: str
     line: int
     column: int
@@ -107,40 +91,31 @@ def _plain(value: Any) -> Any:
     return os.fspath(value) if isinstance(value, os.PathLike) else value
 
 
-def _program() -> str:
-    """The program that runs isolated stages in child processes: that of the same installation."""
-    plugins = Path(_core.plugin_folders()[-1])
-    for folder in (*list(plugins.parents)[1:4], Path(__file__).parent):
-        if (folder / "bin" / "foam").is_file():
-            return str(folder / "bin" / "foam")
-    return shutil.which("foam") or ""
-
-
 def run_all(
     recipes: _core.Recipes,
     out: Path | None,
     fresh: bool,
     time_limit: float | None,
-    progress: Callable[[Any], object] | None,
+    progress: Progress | None,
     cache: Path | None,
     robot: Robot | None = None,
 ) -> list[Run]:
     """Run checked recipes one after the other; on a robot that was read, or on what they name."""
-    told = None if progress is None else lambda *event: progress(Event(*event))
+    told = teller(progress)
     names, runs = recipes.names(), []
     for index, name in enumerate(names):
         folder = out if out is None or len(names) == 1 else out / name
-        text, links, held = recipes.run(
-            index, None if folder is None else str(folder), fresh, time_limit, _program(), None if cache is None else str(cache), told,
-            None if robot is None else robot._core,
+        text, held = recipes.run(
+            index, None if folder is None else str(folder), fresh, time_limit, program(),
+            None if cache is None else str(cache), told, None if robot is None else robot._core,
         )  # fmt: skip
         summary = json.loads(text)
         warn_of(
-            [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")], summary["input"]["file"]
+            [f["message"] for f in summary["findings"] if f["severity"] in ("warning", "error")],
+            summary["input"]["file"] if robot is None or robot._file_is_own else str(robot.file),
         )
-        model = SphereModel({link: np.asarray(rows) for link, rows in links}, name=name, summary=summary)
+        model = SphereModel._of_file(held.spheres(), None, name, summary)
         model._of_run = held
-        model._take_elements(held.spheres())
         model._recipes = recipes if len(names) == 1 else None
         runs.append(Run(summary, model, folder))
     return runs
@@ -157,7 +132,7 @@ def _source(recipe: Any) -> tuple[str | None, str]:
     return str(recipe), ""
 
 
-def run(
+def run_each(
     recipe: Any,
     *,
     set: Mapping[str, Any] | None = None,
@@ -165,10 +140,10 @@ def run(
     out: str | os.PathLike[str] | None = None,
     fresh: bool = False,
     time_limit: float | None = None,
-    progress: Callable[[Any], object] | None = None,
+    progress: Progress | None = None,
     cache: str | os.PathLike[str] | None = None,
-) -> Any:
-    """Run a recipe, as `foam run` does. Return a Run; for a sweep or several variants a list of Runs.
+) -> list[Run]:
+    """Run a recipe, as `foam run` does; return the run of each variant and of each value of its sweep.
 
     Args:
         recipe: a YAML file, its text (several lines), or a dictionary of the same keys.
@@ -186,11 +161,31 @@ def run(
     """
     file, text = _source(recipe)
     recipes = _core.Recipes(registry(), file, text, "recipe.yaml", settings_of(set or {}), list(variants))
-    runs = run_all(
-        recipes, None if out is None else Path(out), fresh, _limit(time_limit), progress,
+    return run_all(
+        recipes, None if out is None else Path(out), fresh, limit_of(time_limit), progress,
         None if cache is None else Path(cache),
     )  # fmt: skip
-    return runs[0] if len(runs) == 1 else runs
+
+
+def run(
+    recipe: Any,
+    *,
+    set: Mapping[str, Any] | None = None,
+    variants: Sequence[str] = (),
+    out: str | os.PathLike[str] | None = None,
+    fresh: bool = False,
+    time_limit: float | None = None,
+    progress: Progress | None = None,
+    cache: str | os.PathLike[str] | None = None,
+) -> Run:
+    """Run a recipe, as `foam run` does; return the run. Arguments and errors are those of run_each().
+
+    For a sweep or several variants it returns a list, which type checkers do not know of: run_each() is for these.
+    """
+    runs = run_each(
+        recipe, set=set, variants=variants, out=out, fresh=fresh, time_limit=time_limit, progress=progress, cache=cache
+    )
+    return runs[0] if len(runs) == 1 else cast(Run, runs)
 
 
 def check(recipe: Any, *, set: Mapping[str, Any] | None = None, variants: Sequence[str] = ()) -> list[Finding]:

@@ -89,7 +89,9 @@ def as_mesh(scene_or_mesh: Any) -> Any:
     geometry = getattr(scene_or_mesh, "geometry", None)
     if not isinstance(geometry, dict):
         return scene_or_mesh
-    if Trimesh is not Mesh and hasattr(scene_or_mesh, "dump"):
+    if Trimesh is not Mesh and hasattr(scene_or_mesh, "to_mesh"):
+        return scene_or_mesh.to_mesh()
+    if Trimesh is not Mesh and hasattr(scene_or_mesh, "dump"):  # trimesh before 4.6
         return scene_or_mesh.dump(concatenate=True)
     meshes = [mesh_of(one) for one in geometry.values()]
     if not meshes:

@@ -11,6 +11,8 @@ public:
     explicit Aside(const std::function<void(const std::atomic<bool>&)>& work)
         : thread_([this, &work] {
               try {
+                  const CancelFlag request(cancel_);
+                  const StopScope scope(&request);
                   work(cancel_);
               } catch (...) {
                   error_ = std::current_exception();

@@ -2,6 +2,9 @@
 
 #include <foam/base/error.hpp>
 #include <foam/base/text.hpp>
+#include <foam/geometry/solid_of_balls.hpp>
+
+#include <pybind11/stl.h>
 
 #include <fmt/format.h>
 
@@ -128,6 +131,13 @@ void add_mesh(py::module_& module) {
         .def("volume",
              [](const HeldMesh& held) { return worked([&](const Signals&) { return held.solid()->volume(); }); })
         .def("area", [](const HeldMesh& held) { return surface_area(*held.mesh()); })
+        // None where the solid is made of anything else.
+        .def("balls",
+             [](const HeldMesh& held) -> std::optional<Rows> {
+                 std::optional<std::vector<Sphere>> balls =
+                     balls_of(*held.solid(), std::numeric_limits<std::size_t>::max());
+                 return balls ? std::optional(rows_of(std::move(*balls))) : std::nullopt;
+             })
         .def("is_watertight", [](const HeldMesh& held) {
             return worked([&](const Signals&) {
                 const Topology defects = topology(welded(*held.mesh()));

@@ -19,10 +19,12 @@ namespace {
 
 constexpr const char* words_of_joints[] = {"fixed", "revolute", "continuous", "prismatic", "planar", "floating"};
 
+/// `name`: what the content of the file goes by; empty: the file's own name.
 std::shared_ptr<HeldRobot> loaded_robot(const std::filesystem::path& file, std::shared_ptr<Registry> registry,
                                         const std::optional<std::string>& unit, double scale,
                                         const std::string& geometry, const std::vector<std::string>& links,
-                                        const std::vector<std::filesystem::path>& package_path) {
+                                        const std::vector<std::filesystem::path>& package_path,
+                                        const std::filesystem::path& name) {
     const std::vector<std::string>& words = words_of_covered_geometry();
     const auto word = std::find(words.begin(), words.end(), geometry);
     if (word == words.end()) {
@@ -37,7 +39,11 @@ std::shared_ptr<HeldRobot> loaded_robot(const std::filesystem::path& file, std::
                                         .unit = {.unit = unit, .scale = scale},
                                         .geometry = static_cast<CoveredGeometry>(word - words.begin()),
                                         .package_path = package_path,
+                                        .name = name,
                                         .keep_meshes = true});
+        if (!name.empty()) {
+            held->original.file = name;
+        }
         return held;
     });
 }
@@ -161,7 +167,7 @@ py::list links_of(const SphereFile& file) {
 void add_robot(py::module_& module) {
     py::class_<HeldRobot, std::shared_ptr<HeldRobot>>(module, "Robot")
         .def(py::init(&loaded_robot), py::arg("file"), py::arg("registry"), py::arg("unit"), py::arg("scale"),
-             py::arg("geometry"), py::arg("links"), py::arg("package_path"))
+             py::arg("geometry"), py::arg("links"), py::arg("package_path"), py::arg("name"))
         .def("name", [](const HeldRobot& held) { return held.original.robot->name; })
         .def("root", [](const HeldRobot& held) { return held.original.robot->root; })
         .def("notes", [](const HeldRobot& held) { return held.original.notes; })

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace foam::python {
 namespace {
@@ -60,15 +61,40 @@ const char* word_of_kind(Event::Kind kind) {
     return words[static_cast<std::size_t>(kind)];
 }
 
-/// Hands the events on to Python.
-void tell(Events& events, const py::object& progress) {
-    for (const Event& event : events.take()) {
-        if (!progress.is_none()) {
-            progress(word_of_kind(event.kind), event.link, event.stage, event.done, event.seconds, event.seconds_left,
-                     event.message, word_of(event.severity), event.cached);
+/// Hands the events on to Python; where there are none for a while, how far the run is.
+class Teller {
+public:
+    Teller(Events& events, const py::object& progress) : events_(events), progress_(progress) {}
+
+    void operator()() {
+        for (const Event& event : events_.take()) {
+            tell(word_of_kind(event.kind), event);
+            done_ = event.done;
+            ended_ = event.kind == Event::Kind::run_finished;
+        }
+        if (!ended_ && pulse_.due()) {
+            Event event;
+            event.done = done_;
+            event.seconds = pulse_.seconds();
+            tell(word_of_kind(Event::Kind::progress), event);
         }
     }
-}
+
+private:
+    void tell(const char* kind, const Event& event) {
+        if (!progress_.is_none()) {
+            progress_(kind, event.link, event.stage, event.done, event.seconds, event.seconds_left, event.message,
+                      word_of(event.severity), event.cached);
+        }
+        pulse_.called();
+    }
+
+    Events& events_;
+    const py::object& progress_;
+    Pulse pulse_;
+    double done_ = 0;
+    bool ended_ = false;
+};
 
 /// `robot`: what the run works on in place of the recipe's input; null: that.
 py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<std::filesystem::path>& out, bool fresh,
@@ -85,23 +111,19 @@ py::tuple ran(const HeldRecipes& held, std::size_t index, const std::optional<st
     options.observer = &events;
     options.input = robot ? robot->original.loaded : nullptr;
     RunResult result;
+    Teller teller(events, progress);
     work_aside(
         [&](const std::atomic<bool>& cancel) {
             options.cancel = &cancel;
             result = run(recipe, *held.registry, options);
         },
-        [&] { tell(events, progress); });
+        std::ref(teller));
     auto model = std::make_shared<HeldModel>();
     model->registry = held.registry;
     model->of_run = true;
-    std::vector<LinkSpheres> spheres = file_of_model(result.model).links;
     std::string json = json_text(json_of_run<Json>(result, recipe, out.value_or("")));
     model->model = std::move(result.model);
-    py::list links;
-    for (LinkSpheres& link : spheres) {
-        links.append(py::make_tuple(link.link, rows_of(std::move(link.elements.spheres()))));
-    }
-    return py::make_tuple(json, links, model);
+    return py::make_tuple(json, model);
 }
 
 /// `kinds`: nothing for spheres alone, as `foam spherize`; else as `foam approximate`.

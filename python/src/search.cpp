@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace foam::python {
@@ -30,21 +31,23 @@ Effort effort_of(const std::string& word) {
 Objective objective_of(const std::string& word) {
     const std::optional<Objective> known = objective_named(word);
     if (!known) {
-        throw Error(ErrorCode::usage,
-                    fmt::format("unknown objective '{}'; there are: excess, mean_protrusion, protrusion, radius", word));
+        throw Error(
+            ErrorCode::usage,
+            fmt::format("unknown objective '{}'; there are: excess, mean_protrusion, protrusion, radius", word));
     }
     return *known;
 }
 
-/// Returns what ends a search: the time limit, or Python.
-std::function<bool()> stop_of(const Signals& signals, std::optional<double> time_limit) {
-    using Clock = std::chrono::steady_clock;
+using Clock = std::chrono::steady_clock;
+
+/// Returns what ends a search: the time limit, or a request.
+std::function<bool()> stop_of(const StopRequest& request, std::optional<double> time_limit) {
     if (!time_limit || *time_limit > 1e9) { // longer than anything runs
-        return [&signals] { return signals.asked(); };
+        return [&request] { return request.asked(); };
     }
     const auto end =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*time_limit));
-    return [&signals, end] { return signals.asked() || Clock::now() > end; };
+    return [&request, end] { return request.asked() || Clock::now() > end; };
 }
 
 /// Returns (rows of spheres, [dictionary of each other element, …], certified, volume).
@@ -56,21 +59,59 @@ py::tuple tuple_of(Cover cover) {
     return py::make_tuple(rows_of(std::move(cover.elements.spheres())), others, cover.certificate.holds, cover.volume);
 }
 
+/// What a search is to find, and how much of it there is.
+struct Counts {
+    std::vector<std::size_t> counts;
+    bool alone = false; ///< the one count is searched for itself, which is quicker where the effort is fast
+    std::atomic<std::size_t> found{0};
+};
+
 /// Returns the covers for each count, by one search.
-std::vector<Cover> found_each(const Solid& solid, const std::vector<std::size_t>& counts, const CoverOptions& options) {
+std::vector<Cover> found_each(const Solid& solid, Counts& wanted, const CoverOptions& options) {
+    if (wanted.alone) {
+        return {cover(solid, wanted.counts.front(), options)};
+    }
     CoverSearch search(solid, options);
     std::vector<Cover> found;
-    for (const std::size_t count : counts) {
+    for (const std::size_t count : wanted.counts) {
         found.push_back(search.cover(count));
+        wanted.found = found.size();
     }
     return found;
 }
 
-/// `alone`: the one count is searched for itself, which is quicker where the effort is fast.
+/// Calls work(request) aside, and `progress` with an event ten times a second and at the end. What is found of the
+/// counts, or what is over of the time limit, is done.
+template <class Work>
+void work_with_progress(const Counts& wanted, std::optional<double> time_limit, const py::object& progress, Work work) {
+    Pulse pulse;
+    std::atomic<bool> ended = false;
+    const auto tell = [&] {
+        if (!ended && !pulse.due()) {
+            return;
+        }
+        double done = ended ? 1 : static_cast<double>(wanted.found) / static_cast<double>(wanted.counts.size());
+        std::optional<double> left;
+        if (time_limit && !ended) {
+            done = std::max(done, std::min(pulse.seconds() / *time_limit, 1.0));
+            left = std::max(*time_limit - pulse.seconds(), 0.0);
+        }
+        pulse.called();
+        progress(ended ? "run_finished" : "progress", "", "", done, pulse.seconds(), left, "", "info", false);
+    };
+    work_aside(
+        [&](const std::atomic<bool>& cancel) {
+            work(CancelFlag(cancel));
+            ended = true;
+        },
+        tell);
+}
+
+/// `progress`: a function of an event's values, or None.
 py::list covered(const HeldMesh& mesh, const std::vector<std::size_t>& counts, bool alone,
                  const std::vector<std::string>& kinds, const std::string& effort, const std::string& objective,
                  std::uint64_t seed, std::size_t max_vertices, bool axis_aligned, std::optional<double> time_limit,
-                 const std::string& covers) {
+                 const std::string& covers, const py::object& progress) {
     if (covers != to_string(Covers::solid) && covers != to_string(Covers::surface)) {
         throw Error(ErrorCode::usage, fmt::format("unknown covers '{}'; there are: solid, surface", covers));
     }
@@ -80,12 +121,19 @@ py::list covered(const HeldMesh& mesh, const std::vector<std::size_t>& counts, b
                          .seed = seed,
                          .max_vertices = max_vertices,
                          .axis_aligned = axis_aligned};
-    std::vector<Cover> found = worked([&](const Signals& signals) {
-        options.stop = stop_of(signals, time_limit);
+    Counts wanted{counts, alone};
+    const auto search = [&](const StopRequest& request) {
+        options.stop = stop_of(request, time_limit);
         const std::shared_ptr<const Solid> solid =
             covers == to_string(Covers::surface) ? as_surface(*mesh.solid()) : mesh.solid();
-        return alone ? std::vector{cover(*solid, counts.front(), options)} : found_each(*solid, counts, options);
-    });
+        return found_each(*solid, wanted, options);
+    };
+    std::vector<Cover> found;
+    if (progress.is_none()) {
+        found = worked(search); // in this thread, which takes less time
+    } else if (!counts.empty()) {
+        work_with_progress(wanted, time_limit, progress, [&](const StopRequest& request) { found = search(request); });
+    }
     py::list list;
     for (Cover& cover : found) {
         list.append(tuple_of(std::move(cover)));
@@ -148,7 +196,7 @@ std::pair<double, double> volumes_of_spheres(const HeldMesh& mesh, const py::buf
 void add_search(py::module_& module) {
     module.def("cover", &covered, py::arg("mesh"), py::arg("counts"), py::arg("alone"), py::arg("kinds"),
                py::arg("effort"), py::arg("objective"), py::arg("seed"), py::arg("max_vertices"),
-               py::arg("axis_aligned"), py::arg("time_limit"), py::arg("covers"));
+               py::arg("axis_aligned"), py::arg("time_limit"), py::arg("covers"), py::arg("progress"));
     module.def(
         "mesh_of_balls",
         [](const py::buffer& rows) {

@@ -65,6 +65,30 @@ template <class Work> auto worked(Work work) {
     }
 }
 
+/// A flag of work_aside() as a stop request.
+class CancelFlag final : public StopRequest {
+public:
+    explicit CancelFlag(const std::atomic<bool>& cancel) : cancel_(cancel) {}
+    bool asked() const override { return cancel_; }
+    bool overdue() const override { return cancel_; }
+
+private:
+    const std::atomic<bool>& cancel_;
+};
+
+/// Tells when a callback was not called for a tenth of a second: it may look whether another thread wants an end.
+class Pulse {
+public:
+    bool due() const { return Clock::now() - last_ >= std::chrono::milliseconds(100); }
+    void called() { last_ = Clock::now(); }
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
 /// Events of a run, kept until Python's thread takes them.
 class Events final : public Observer {
 public:
@@ -76,9 +100,9 @@ private:
     std::deque<Event> events_;
 };
 
-/// Calls work(cancel) in a thread of its own, and poll() about fifty times a second in this one, with the interpreter's
-/// lock, and once more at the end. An exception of poll() or of a signal's handler sets `cancel`, and is thrown when
-/// the work has ended.
+/// Calls work(cancel) in a thread of its own, with the flag as its stop request, and poll() about fifty times a second
+/// in this one, with the interpreter's lock, and once more at the end. An exception of poll() or of a signal's handler
+/// sets `cancel`, and is thrown when the work has ended.
 void work_aside(const std::function<void(const std::atomic<bool>& cancel)>& work, const std::function<void()>& poll);
 
 } // namespace foam::python

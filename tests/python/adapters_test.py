@@ -53,7 +53,7 @@ def test_curobo_gets_a_whole_robot_file(model):
 
 def test_pyroki_and_vamp(model):
     spheres = model.to_pyroki()
-    assert list(spheres) == list(model) and np.array_equal(spheres["panda_hand"]["centers"], model["panda_hand"][:, :3])
+    assert list(spheres) == list(model) and np.array_equal(spheres["panda_hand"]["centers"], model["panda_hand"].centers)
     files = model.to_vamp(tool_frames=["panda_hand"], lock_joints={"panda_finger_joint1": 0.04})
     assert sorted(Path(name).suffix for name in files) == [".json", ".srdf", ".urdf"]
 
@@ -115,7 +115,7 @@ def test_a_function_is_a_spherizer(part):
     assert model.count >= 1 and model.certified
     assert ("part", "outer", 0.001, "x") in [(name, guarantee, m, label) for name, _, guarantee, m, label in seen]
     recipe = {"foam": 1, "mesh": [part], "stages": [{"spherize.mine": {}}], "budget": {"spheres": 1}}
-    assert foam.run(recipe).model["part"][0, 3] == pytest.approx(np.linalg.norm([0.03, 0.02, 0.1]), rel=1e-3)
+    assert foam.run(recipe).model["part"].radii[0] == pytest.approx(np.linalg.norm([0.03, 0.02, 0.1]), rel=1e-3)
 
     calls = []
 

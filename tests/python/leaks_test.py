@@ -33,10 +33,29 @@ def calls(count):
                 raise AssertionError("no error")
 
 
+def uses(count):
+    """What a cover and its certificate are asked for; those of one in fifty are made anew."""
+    vertices, faces = box()
+    cover = foam.cover((vertices, faces), 2, ["capsule"], effort="fast")
+    for i in range(count):
+        if i % 50 == 0:
+            cover = foam.cover((vertices, faces), 2, ["capsule"], effort="fast", progress=None if i % 500 else str)
+            assert cover.certificate.holds and foam.load((vertices, faces)).links == ["mesh"]
+        assert len(cover.elements) == len(cover) and cover[0]["kind"] and cover.to_dict() and repr(cover)
+        for bad in (lambda: cover.spheres, lambda: np.asarray(cover), lambda: foam.load(3)):
+            try:
+                bad()
+            except foam.Error:
+                pass
+            else:
+                raise AssertionError("no error")
+
+
 @pytest.mark.skipif(SANITIZED, reason="a sanitizer keeps freed memory")
-def test_no_leak_over_ten_thousand_calls():
+@pytest.mark.parametrize("work", [calls, uses])
+def test_no_leak_over_ten_thousand_calls(work):
     with foam.threads(1):
-        calls(1000)
+        work(1000)
         before = resident()
-        calls(9000)
+        work(9000)
         assert resident() - before < 4_000_000  # one mesh of each call would be 5 MB

@@ -45,8 +45,13 @@ def test_the_lock_of_the_interpreter_is_released():
     lambda mesh: foam.spherize(mesh, 500, effort="best"),
     lambda mesh: foam.spherize_each(mesh, [900, 1000]),
     lambda mesh: foam.spherize(mesh, 500, objective="protrusion", effort="best", time_limit=60),
-], ids=["spherize", "spherize_each", "with time limit"])
-def test_ctrl_c_ends_a_search_within_a_tenth_of_a_second(call):
+    lambda mesh: foam.cover(mesh, 500, "hull", effort="best", progress=str),
+    lambda mesh: foam.load(mesh).cover(2000, effort="best", fresh=True),
+    lambda mesh: [foam.cover(mesh, 9, effort="fast").certificate for _ in range(100)],
+    lambda mesh: foam.compare(mesh, [foam.cover(mesh, 9, effort="fast")] * 100),
+    lambda mesh: foam.self_collision(foam.example("panda"), samples=10**8),
+], ids=["spherize", "spherize_each", "with time limit", "with progress", "model", "certificate", "compare", "self_collision"])
+def test_ctrl_c_ends_a_call_within_150_milliseconds(call):
     mesh, times = foam.Mesh(*wavy(50000)), []
     for _ in range(6):  # others may use the machine
         sent = []
@@ -62,7 +67,7 @@ def test_ctrl_c_ends_a_search_within_a_tenth_of_a_second(call):
             call(mesh)
         times.append(time.perf_counter() - sent[0])
         thread.join()
-        if times[-1] <= 0.1 or not TIMES:
+        if times[-1] <= 0.15 or not TIMES:
             return
     pytest.fail(f"ended after {times} s")
 

@@ -189,7 +189,7 @@ def test_a_mesh_is_a_robot_of_one_link(tmp_path):
     model.save(tmp_path / "python.json")
     assert list(model) == ["part"]
     assert (tmp_path / "python.json").read_bytes() == (tmp_path / "program.json").read_bytes()
-    assert foam.evaluate(mesh, model["part"] * 1000).certified
+    assert foam.evaluate(mesh, model["part"].spheres * 1000).certified
     assert foam.evaluate(mesh, foam.spherize(mesh, 4)).certified
 
 
@@ -231,7 +231,7 @@ def test_figures_are_those_of_the_command_line(tmp_path, panda, model):
 
 def test_proofs_are_those_of_the_command_line(tmp_path, panda, model):
     assert foam.certify(panda, model) and foam.certify(panda, model).witnesses == {}
-    smaller = {link: rows * [1, 1, 1, 0.9 if link == "panda_link3" else 1] for link, rows in model.items()}
+    smaller = {link: e.spheres * [1, 1, 1, 0.9 if link == "panda_link3" else 1] for link, e in model.items()}
     proof = foam.certify(panda, smaller)
     assert not proof.holds and list(proof.witnesses) == ["panda_link3"]
     centers, radii = smaller["panda_link3"][:, :3], smaller["panda_link3"][:, 3]
@@ -262,8 +262,8 @@ def test_pairs_are_those_of_the_command_line(tmp_path, panda, model):
 
 def test_a_model_is_a_mapping_that_goes_through_json(panda, model):
     again = foam.SphereModel.from_dict(json.loads(json.dumps(model.to_dict())), panda)
-    assert again == model and not again.certified and model["panda_link5"].shape[1] == 4
-    assert not model["panda_link5"].flags.writeable
+    assert again == model and not again.certified and model["panda_link5"].spheres.shape[1] == 4
+    assert not model["panda_link5"].spheres.flags.writeable
     assert foam.SphereModel(dict(reversed(list(model.items()))), panda) == model  # the URDF's order
     with pytest.raises(foam.InputError, match="hand: no link of"):
         foam.SphereModel({"hand": [[0, 0, 0, 1]]}, panda)

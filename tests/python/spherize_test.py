@@ -4,6 +4,7 @@ import pickle
 import subprocess
 import sys
 import time
+import timeit
 
 import numpy as np
 import pytest
@@ -186,6 +187,20 @@ def test_a_call_takes_at_most_a_millisecond_more_than_in_cpp(tmp_path):
         if differences[-1] <= 0.001:
             return
     pytest.fail(f"{[f'{1000 * d:.2f} ms' for d in differences]} above the C++ call")
+
+
+@pytest.mark.skipif(not TIMES, reason="times are measured with FOAM_TEST_TIMES=1")
+def test_python_adds_at_most_30_microseconds_to_a_call():
+    mesh = foam.Mesh(*box())
+    calls = [lambda: foam.cover(mesh, 1, effort="fast"),
+             lambda: foam._core.cover(mesh._core, [1], True, ["sphere"], "fast", "excess", 0, 64, False, None, "solid", None)]
+    added = []
+    for _ in range(6):  # others may use the machine
+        python, core = (min(timeit.repeat(call, number=300, repeat=9)) / 300 for call in calls)
+        added.append(python - core)
+        if added[-1] <= 30e-6:
+            return
+    pytest.fail(f"added {added} s")
 
 
 @pytest.mark.skipif(not TIMES, reason="times are measured with FOAM_TEST_TIMES=1")

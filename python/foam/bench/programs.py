@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import _core
-from .._runs import _program
+from .._installation import program
 from ..errors import UsageError, error_of
 
 
@@ -33,7 +33,7 @@ class Measured:
 
 def foam_program() -> str:
     """Return the program `foam` of this installation. Raises UsageError if it is not there."""
-    program = _program()
+    file = program()
     if not program:
         raise UsageError("the program foam is not there; remedy: install it, or build it by `./foam bench`")
     return program

@@ -167,3 +167,18 @@ def test_a_model_without_a_robot_says_that_frames_are_not_known(model):
     spec = mujoco.MjSpec.from_string(SPEC.format(**STRAIGHT))
     with pytest.warns(UserWarning, match="without a robot nothing says whether"):
         assert foam.SphereModel(dict(model)).to_mujoco(spec) == model.count
+
+
+def test_a_cover_goes_into_a_body(tmp_path):
+    text = '<mujoco><worldbody><body name="{}"><geom name="old" type="box" size="0.05 0.1 0.2"/></body></worldbody></mujoco>'
+    vertices = np.array([[x, y, z] for x in (-0.05, 0.05) for y in (-0.1, 0.1) for z in (-0.2, 0.2)])
+    faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    cover = foam.cover((vertices, faces), 3, "capsule", effort="fast")
+    spec = mujoco.MjSpec.from_string(text.format("part"))
+    for count in (1, 2):  # the second takes the place of the first
+        assert cover.to_mujoco(spec, body="part") == len(cover)
+        compiled = spec.compile()
+        assert compiled.ngeom == 1 + count * len(cover) and compiled.geom("old").contype[0] == 0
+        assert sum(1 for g in range(compiled.ngeom) if compiled.geom_contype[g]) == len(cover)
+    with pytest.raises(foam.UsageError, match="body: the MjSpec has no body 'part'; there are: world"):
+        cover.to_mujoco(mujoco.MjSpec(), body="part")
