@@ -13,13 +13,32 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+
+
+def _no_core(error: ImportError) -> str:
+    """Return why the module _core cannot be loaded, and what to do."""
+    import re
+    import sys
+    from pathlib import Path
+
+    files = [file.name for file in Path(__path__[0]).glob("_core.*")]
+    minors = sorted(int(found[1]) for found in (re.search(r"\.cpython-3(\d+)-", name) for name in files) if found)
+    if minors and sys.version_info.minor not in minors:
+        versions = ", ".join(f"3.{minor}" for minor in minors)
+        return (
+            f"this foam is for CPython {versions}, and this is {sys.version.split()[0]}; remedy: one of these, or "
+            "`pip install .` in a clone"
+        )
+    return (
+        f"foam's module _core cannot be loaded from {__path__[0]} ({error}); remedy: in a clone, start Python by "
+        "`./foam python`; otherwise check that the package was built for this Python"
+    )
+
+
 try:
     from . import _core
 except ImportError as error:
-    raise ImportError(
-        f"foam's module _core cannot be loaded from {__path__[0]} ({error}); remedy: in a clone, start Python by "
-        "`./foam python`; otherwise check that the package was built for this Python"
-    ) from error
+    raise ImportError(_no_core(error)) from error
 
 from .errors import Cancelled, Error, GeometryError, InputError, UsageError
 
@@ -236,14 +255,27 @@ __all__ = [
 __all__ += [name for names in _OLD.values() for name in names]
 
 
+def _old(name: str) -> Any:
+    """Return a module with the names of CoMMALab/foam, which are a wheel of their own."""
+    try:
+        return importlib.import_module(f"foam.{name}")
+    except ModuleNotFoundError as error:
+        if error.name != f"foam.{name}":
+            raise
+        raise ImportError(
+            "the names of CoMMALab/foam are not installed; remedy: pip install foam-spheres-commalab"
+        ) from error
+
+
 if not TYPE_CHECKING:  # so that checkers know the names above, and no others
 
     def __getattr__(name: str) -> Any:
-        if name in ("model", "utility", "external"):
-            return importlib.import_module(f"foam.{name}")
+        if name in _OLD:
+            return _old(name)
         if name not in _HOMES:
             raise AttributeError(f"module 'foam' has no attribute '{name}'")
-        value = getattr(importlib.import_module(f"foam.{_HOMES[name]}"), name)
+        home = _HOMES[name]
+        value = getattr(_old(home) if home in _OLD else importlib.import_module(f"foam.{home}"), name)
         globals()[name] = value
         return value
 

@@ -95,19 +95,33 @@ std::vector<Sphere> spheres_of(const py::buffer& buffer) {
     return spheres;
 }
 
-HeldMesh::HeldMesh(std::shared_ptr<const Solid> solid) : solid_(std::move(solid)) {
-    const std::vector<Solid::Part>& parts = solid_->parts();
-    mesh_ = parts.size() == 1 && parts[0].mesh ? parts[0].mesh : std::make_shared<const Mesh>(solid_->surface());
+HeldMesh::HeldMesh(std::vector<Sphere> seen) : seen_(std::move(seen)) {
+    require_balls(seen_);
 }
 
-std::shared_ptr<const Solid> HeldMesh::solid() const {
-    const std::lock_guard lock(mutex_);
-    if (!solid_) {
+std::shared_ptr<const Solid> HeldMesh::made_solid() const {
+    if (!solid_ && !seen_.empty()) {
+        solid_ = solid_of_balls(seen_);
+    } else if (!solid_) {
         Solid::Part part;
         part.mesh = mesh_;
         solid_ = Solid::make(std::vector<Solid::Part>{part});
     }
     return solid_;
+}
+
+std::shared_ptr<const Solid> HeldMesh::solid() const {
+    const std::lock_guard lock(mutex_);
+    return made_solid();
+}
+
+std::shared_ptr<const Mesh> HeldMesh::mesh() const {
+    const std::lock_guard lock(mutex_);
+    if (!mesh_) {
+        const std::vector<Solid::Part>& parts = made_solid()->parts();
+        mesh_ = parts.size() == 1 && parts[0].mesh ? parts[0].mesh : std::make_shared<const Mesh>(solid_->surface());
+    }
+    return mesh_;
 }
 
 void add_mesh(py::module_& module) {
@@ -119,12 +133,12 @@ void add_mesh(py::module_& module) {
              py::arg("vertices"), py::arg("faces"))
         .def("vertices",
              [](const HeldMesh& held) {
-                 const auto& mesh = held.mesh();
+                 const auto mesh = held.mesh();
                  return Rows(mesh, reinterpret_cast<const double*>(mesh->vertices.data()), mesh->vertices.size(), 3);
              })
         .def("faces",
              [](const HeldMesh& held) {
-                 const auto& mesh = held.mesh();
+                 const auto mesh = held.mesh();
                  return Rows(mesh, reinterpret_cast<const std::uint32_t*>(mesh->triangles.data()),
                              mesh->triangles.size(), 3);
              })

@@ -42,19 +42,26 @@ Rows rows_of(std::vector<Sphere> spheres);
 /// Returns the spheres of a C-contiguous buffer of float64, shape (n, 4).
 std::vector<Sphere> spheres_of(const py::buffer& buffer);
 
-/// A mesh that was copied from arrays, and the solid of it, which is made when it is first needed.
+/// A mesh or points that were copied from arrays, and the solid of them, which is made when it is first needed.
 class HeldMesh {
 public:
     explicit HeldMesh(Mesh mesh) : mesh_(std::make_shared<const Mesh>(std::move(mesh))) {}
-    explicit HeldMesh(std::shared_ptr<const Solid> solid);
+    explicit HeldMesh(std::shared_ptr<const Solid> solid) : solid_(std::move(solid)) {}
+    /// Points with radii. Throws as solid_of_balls() does.
+    explicit HeldMesh(std::vector<Sphere> seen);
 
-    const std::shared_ptr<const Mesh>& mesh() const { return mesh_; }
-    /// Any thread may call it, without the interpreter's lock. Throws as Solid::make does.
+    /// The points that it is made of; empty for any other.
+    const std::vector<Sphere>& seen() const { return seen_; }
+    /// Any thread may call these, without the interpreter's lock. They throw as Solid::make does.
+    std::shared_ptr<const Mesh> mesh() const;
     std::shared_ptr<const Solid> solid() const;
 
 private:
-    std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const Solid> made_solid() const;
+
+    std::vector<Sphere> seen_;
     mutable std::mutex mutex_;
+    mutable std::shared_ptr<const Mesh> mesh_;
     mutable std::shared_ptr<const Solid> solid_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <foam/base/error.hpp>
 #include <foam/geometry/measure.hpp>
-#include <foam/geometry/solid_of_balls.hpp>
 #include <foam/sdk/kinds.hpp>
 #include <foam/search/least_element.hpp>
 #include <foam/search/spherize.hpp>
@@ -67,11 +66,15 @@ struct Counts {
 };
 
 /// Returns the covers for each count, by one search.
-std::vector<Cover> found_each(const Solid& solid, Counts& wanted, const CoverOptions& options) {
-    if (wanted.alone) {
-        return {cover(solid, wanted.counts.front(), options)};
+std::vector<Cover> found_each(const HeldMesh& mesh, Counts& wanted, const CoverOptions& options, bool surface) {
+    if (wanted.alone && !mesh.seen().empty()) { // without a solid: points have no inside
+        return {cover(mesh.seen(), wanted.counts.front(), options)};
     }
-    CoverSearch search(solid, options);
+    const std::shared_ptr<const Solid> solid = surface ? as_surface(*mesh.solid()) : mesh.solid();
+    if (wanted.alone) {
+        return {cover(*solid, wanted.counts.front(), options)};
+    }
+    CoverSearch search(*solid, options);
     std::vector<Cover> found;
     for (const std::size_t count : wanted.counts) {
         found.push_back(search.cover(count));
@@ -124,9 +127,7 @@ py::list covered(const HeldMesh& mesh, const std::vector<std::size_t>& counts, b
     Counts wanted{counts, alone};
     const auto search = [&](const StopRequest& request) {
         options.stop = stop_of(request, time_limit);
-        const std::shared_ptr<const Solid> solid =
-            covers == to_string(Covers::surface) ? as_surface(*mesh.solid()) : mesh.solid();
-        return found_each(*solid, wanted, options);
+        return found_each(mesh, wanted, options, covers == to_string(Covers::surface));
     };
     std::vector<Cover> found;
     if (progress.is_none()) {
@@ -200,8 +201,7 @@ void add_search(py::module_& module) {
     module.def(
         "mesh_of_balls",
         [](const py::buffer& rows) {
-            const std::vector<Sphere> balls = spheres_of(rows);
-            return worked([&](const Signals&) { return std::make_shared<HeldMesh>(solid_of_balls(balls)); });
+            return std::make_shared<HeldMesh>(spheres_of(rows));
         },
         py::arg("rows"));
     module.def("proved_least", &proved, py::arg("mesh"), py::arg("kind"), py::arg("tolerance"));

@@ -104,4 +104,21 @@ print(done.stderr)" "$venv/bin/python"
 install "$(wheel _commalab any)"
 expect "usage: foam-generate-spheres" "${clean[@]}" "$venv/bin/foam-generate-spheres" --help
 expect "SpherizationHelper" "${clean[@]}" "$venv/bin/python" -c 'import foam; print(foam.SpherizationHelper)'
+# What ran with the clone runs with the wheels: the names, scripts and examples of CoMMALab/foam.
+site=$("$venv/bin/python" -c 'import foam, os; print(os.path.dirname(os.path.dirname(foam.__file__)))')
+notebook=$FOAM_TEST_BUILD/tests/consumers/python/beside/notebook
+if "$python" -c 'import sys; sys.exit(sys.argv[1] not in sys.argv[2])' "$("$python" -c 'import sys; print("%d%d" % sys.version_info[:2])')" "$(ls "$site/foam")"; then
+    mkdir "$room/only"
+    ln -s "$site/foam" "$room/only/foam"
+    ln -s "$venv/bin" "$room/only/bin"
+    quietly env "PYTHONPATH=$room/only" "FOAM_TEST_SOURCE=$FOAM_TEST_SOURCE" "FOAM_TEST_BINARY=$venv/bin/foam" \
+        "$python" "$FOAM_TEST_SOURCE/tests/python/run_tests.py" "$FOAM_TEST_SOURCE/tests/python/dropin_test.py"
+    # Jupyter's own kernel executes the notebook.
+    if [[ -d $notebook ]]; then
+        quietly env "PYTHONPATH=$room/only:$notebook" "HOME=$room" "$python" "$FOAM_TEST_SOURCE/tests/python/notebook_from_wheel.py" \
+            "$FOAM_TEST_SOURCE/docs/examples/python/first_picture.ipynb" "$room/elsewhere"
+    else
+        without "there is no nbclient in $notebook"
+    fi
+fi
 [[ -f $(wheel _pictures linux_x86_64) ]] || fail "no wheel with the painter"
