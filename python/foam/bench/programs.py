@@ -34,9 +34,9 @@ class Measured:
 def foam_program() -> str:
     """Return the program `foam` of this installation. Raises UsageError if it is not there."""
     file = program()
-    if not program:
+    if not file:
         raise UsageError("the program foam is not there; remedy: install it, or build it by `./foam bench`")
-    return program
+    return file
 
 
 def _most_resident(process: int) -> float:

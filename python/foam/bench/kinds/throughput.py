@@ -132,8 +132,8 @@ class Throughput(Experiment):
         assert self.method is not None
         models = [_Model("original", {})]
         for budget in self.spheres:
-            spheres = dict(made(urdf, self.method, budget, fresh=True).model)
-            models.append(_Model("", spheres))
+            model = made(urdf, self.method, budget, fresh=True).model
+            models.append(_Model("", {link: elements.spheres for link, elements in model.items()}))
             models[-1].label = f"{models[-1].count} spheres"
         return models
 
