@@ -5,9 +5,11 @@ from __future__ import annotations
 import base64
 import html
 import importlib
+import struct
 import sys
 import tempfile
 import warnings
+import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -110,9 +112,23 @@ def from_trimesh(mesh: Any) -> Mesh:
 
 
 def picture(model: SphereModel, width: int = 480, height: int = 360) -> bytes:
-    """Return a PNG of the geometry over the spheres. Raises Error if no plugin draws."""
-    robot = model._robot
-    return _core.picture(registry(), model._sphere_file(), None if robot is None else robot._core, "", width, height)
+    """Return a PNG of the geometry over the elements: by the painter of snapshots, or without its graphics libraries."""
+    robot = None if model._robot is None else model._robot._core
+    try:
+        return _core.picture(registry(), model._sphere_file(), robot, "", width, height)
+    except Error:  # the painter is a wheel of its own
+        return _png_of(_core.plain_pixels(model._sphere_file(), robot, width, height), width, height)
+
+
+def _png_of(pixels: bytes, width: int, height: int) -> bytes:
+    """Return red, green and blue of each pixel as PNG (ISO/IEC 15948)."""
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    rows = b"".join(b"\0" + pixels[y * 3 * width : (y + 1) * 3 * width] for y in range(height))
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 def page_of(model: SphereModel, certified: bool) -> str:
@@ -127,11 +143,8 @@ def page_of(model: SphereModel, certified: bool) -> str:
     surfaces = len((model.summary or {}).get("proof", {}).get("as_surface", []))
     proof = f"; proved to cover the geometry{f', {surfaces} as surfaces' if surfaces else ''}" if certified else ""
     words = f"<b>{html.escape(model.name)}</b>: {noun(model.count, 'element')} of {noun(len(model), 'link')}{proof}"
-    try:
-        image = base64.b64encode(picture(model)).decode()
-        drawn = f"<img alt='the elements' src='data:image/png;base64,{image}' width='480'>"
-    except Error as error:  # e.g. without the plugin that draws
-        drawn = f"<p>no picture: {html.escape(str(error))}</p>"
+    image = base64.b64encode(picture(model)).decode()
+    drawn = f"<img alt='the elements' src='data:image/png;base64,{image}' width='480'>"
     return f"<div><p>{words}</p><table>{head}</tr>{''.join(rows)}</table>{drawn}</div>"
 
 

@@ -1,4 +1,5 @@
 // Pictures of robots and their spheres.
+#include "plain_picture.hpp"
 #include "robot.hpp"
 
 #include <foam/base/error.hpp>
@@ -11,23 +12,28 @@
 namespace foam::python {
 namespace {
 
-/// A PNG: the geometry, translucent, over the spheres, in the root's frame. Joints are at zero, moved into their
+/// Returns the geometry, translucent, over the elements, in the root's frame. Joints are at zero, moved into their
 /// limits.
+Panel panel_of(const SphereFile& spheres, const HeldRobot* robot) {
+    Panel panel;
+    std::map<std::string, Pose> poses;
+    if (robot) {
+        poses = link_poses(*robot->original.robot);
+        for (const OriginalLink& link : robot->original.links) {
+            panel.meshes.push_back({std::make_shared<const Mesh>(link.solid->surface()), poses[link.link], true});
+        }
+    }
+    for (const LinkSpheres& link : spheres.links) {
+        add_elements(panel, link.elements, poses[link.link]);
+    }
+    return panel;
+}
+
+/// A PNG of it, by the painter of snapshots.
 py::bytes picture_of(const Registry& registry, const SphereFile& spheres, const HeldRobot* robot,
                      const std::string& title, int width, int height) {
     const std::string png = worked([&](const Signals&) {
-        Panel panel;
-        std::map<std::string, Pose> poses;
-        if (robot) {
-            poses = link_poses(*robot->original.robot);
-            for (const OriginalLink& link : robot->original.links) {
-                panel.meshes.push_back({std::make_shared<const Mesh>(link.solid->surface()), poses[link.link], true});
-            }
-        }
-        for (const LinkSpheres& link : spheres.links) {
-            const Pose& pose = poses[link.link];
-            add_elements(panel, link.elements, pose);
-        }
+        Panel panel = panel_of(spheres, robot);
         Figure figure;
         figure.title = title;
         figure.width = width;
@@ -37,6 +43,13 @@ py::bytes picture_of(const Registry& registry, const SphereFile& spheres, const 
         return registry.make<Renderer>("snapshot.osmesa")->render(figure, context).png;
     });
     return png;
+}
+
+/// Red, green and blue of each pixel of it, without the painter.
+py::bytes plain_pixels(const SphereFile& spheres, const HeldRobot* robot, int width, int height) {
+    const std::vector<std::uint8_t> pixels =
+        worked([&](const Signals&) { return plain_picture(panel_of(spheres, robot), width, height); });
+    return {reinterpret_cast<const char*>(pixels.data()), pixels.size()};
 }
 
 /// A caption, the robot, and spheres or nothing: the robot's geometry then.
@@ -77,6 +90,8 @@ py::bytes side_by_side(const Registry& registry, const std::vector<GivenPanel>& 
 void add_picture(py::module_& module) {
     module.def("side_by_side", &side_by_side, py::arg("registry"), py::arg("panels"), py::arg("pose"), py::arg("title"),
                py::arg("width"), py::arg("height"), py::arg("renderer"), py::arg("parameters"));
+    module.def("plain_pixels", &plain_pixels, py::arg("spheres"), py::arg("robot").none(true), py::arg("width"),
+               py::arg("height"));
     module.def("picture", &picture_of, py::arg("registry"), py::arg("spheres"), py::arg("robot").none(true),
                py::arg("title"), py::arg("width"), py::arg("height"));
 }

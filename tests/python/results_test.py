@@ -1,12 +1,16 @@
 """Covers and models as Python's containers: sequences, arrays, proofs, files, pictures; progress, examples, the program."""
 
+import base64
 import json
 import os
 import pickle
+import re
+import struct
 import subprocess
 import sys
 import threading
 import time
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -194,3 +198,17 @@ def test_messages_name_arguments_of_python(call, words):
 def test_figures_have_the_names_of_their_type():
     figures = foam.evaluate(box(), foam.cover(box(), 2, effort="fast")).total
     assert set(figures.to_dict()) == set(foam.Figures.__annotations__)
+
+
+def test_a_picture_without_the_painter(monkeypatch):
+    def no_painter(*arguments):
+        raise foam.InputError("no painter")
+
+    monkeypatch.setattr(foam._core, "picture", no_painter)
+    page = foam.cover(box(), 3, effort="fast")._repr_html_()
+    png = base64.b64decode(re.search("data:image/png;base64,([^']+)", page)[1])
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    length = struct.unpack(">I", png[33:37])[0]
+    rows = np.frombuffer(zlib.decompress(png[41:41 + length]), np.uint8).reshape(360, 1 + 3 * 480)[:, 1:]
+    drawn = (rows.reshape(360, 480, 3) < 250).any(axis=2)
+    assert 0.1 < drawn.mean() < 0.9 and not drawn[0].any() and not drawn[:, 0].any()

@@ -72,7 +72,7 @@ environment() {
     printf '%s\n' "$folder"
 }
 install() { quietly "$tools/python" -m pip --python "$venv/bin/python" install --no-index --no-deps --force-reinstall "$1"; }
-plugins() { expect "$1" "${clean[@]}" "$venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "$panda"; }
+plugins() { expect "$1" "${clean[@]}" "$venv/bin/python" "$FOAM_TEST_SOURCE/tests/python/from_wheel.py" part.obj spheres.bin "${@:2}"; }
 
 IFS=';' read -ra pythons <<<"$pythons"
 for each in "${pythons[@]}"; do
@@ -96,7 +96,7 @@ if [[ -f $FOAM_TEST_BUILD/lib/foam/plugins/spherize_medial.so ]]; then
     expect "Requires-Dist: foam-spheres==$version" inside "$gpl" "foam_spheres_gpl-$version.dist-info/METADATA"
     expect "GNU GENERAL PUBLIC LICENSE" inside "$gpl" "foam_spheres_gpl-$version.dist-info/licenses/GPL-3"
     install "$gpl"
-    plugins "spherize_medial"
+    plugins "spherize_medial" "$panda"
 fi
 expect "pip install foam-spheres-commalab" "$python" -c "import subprocess, sys
 done = subprocess.run([sys.argv[1], '-c', 'import foam; foam.SpherizationHelper'], capture_output=True, text=True)
