@@ -31,13 +31,14 @@ def models(tmp_path_factory):
 
     @functools.cache
     def written(kind):
-        engines = ["any", *ENGINES.get(kind, [])]
-        outputs = [f"write.urdf: {{file: {engine}.urdf, engine: {engine}}}" for engine in engines]
-        outputs = f"outputs=[{', '.join(outputs + WITH_PAIRS * (kind == 'sphere'))}]"
-        return [
-            urdf_truth.written(robot, kind, folder, "--set", outputs, "--run-dir", folder / f"{robot.stem}_{kind}")
-            for robot in robots
-        ]
+        files = []
+        for robot in robots:
+            engines = ["any", *(ENGINES.get(kind, []) if robot in robots[::2] else [])]
+            outputs = [f"write.urdf: {{file: {engine}.urdf, engine: {engine}}}" for engine in engines]
+            outputs = f"outputs=[{', '.join(outputs + WITH_PAIRS * (kind == 'sphere'))}]"
+            run = folder / f"{robot.stem}_{kind}"
+            files.append(urdf_truth.written(robot, kind, folder, "--set", outputs, "--run-dir", run))
+        return files
 
     @functools.cache
     def told(kind, engine):
