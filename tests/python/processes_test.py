@@ -8,6 +8,7 @@ import threading
 import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
+import numpy as np
 import pytest
 
 import foam
@@ -41,6 +42,15 @@ def test_the_lock_of_the_interpreter_is_released():
     assert turns > 10
 
 
+def ball(count):
+    """Return a strip of triangles through points on a ball: nothing is inside their hull."""
+    i = np.arange(count)
+    height, turn = 1 - 2 * (i + 0.5) / count, np.pi * (1 + 5**0.5) * i
+    across = np.sqrt(1 - height**2)
+    points = np.column_stack([across * np.cos(turn), across * np.sin(turn), height])
+    return points, np.column_stack([i[:-2], i[1:-1], i[2:]])
+
+
 @pytest.mark.parametrize("call", [
     lambda mesh: foam.spherize(mesh, 500, effort="best"),
     lambda mesh: foam.spherize_each(mesh, [900, 1000]),
@@ -50,7 +60,9 @@ def test_the_lock_of_the_interpreter_is_released():
     lambda mesh: [foam.cover(mesh, 9, effort="fast").certificate for _ in range(100)],
     lambda mesh: foam.compare(mesh, [foam.cover(mesh, 9, effort="fast")] * 100),
     lambda mesh: foam.self_collision(foam.example("panda"), samples=10**8),
-], ids=["spherize", "spherize_each", "with time limit", "with progress", "model", "certificate", "compare", "self_collision"])
+    lambda mesh: foam.proved_least(ball(30000), "box"),
+], ids=["spherize", "spherize_each", "with time limit", "with progress", "model", "certificate", "compare", "self_collision",
+        "proved_least"])
 def test_ctrl_c_ends_a_call_within_150_milliseconds(call):
     mesh, times = foam.Mesh(*wavy(50000)), []
     for _ in range(6):  # others may use the machine

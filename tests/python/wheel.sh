@@ -104,7 +104,7 @@ print(done.stderr)" "$venv/bin/python"
 install "$(wheel _commalab any)"
 expect "usage: foam-generate-spheres" "${clean[@]}" "$venv/bin/foam-generate-spheres" --help
 expect "SpherizationHelper" "${clean[@]}" "$venv/bin/python" -c 'import foam; print(foam.SpherizationHelper)'
-# What ran with the clone runs with the wheels: the names, scripts and examples of CoMMALab/foam.
+# What ran with the clone runs with the wheels: the names and scripts of CoMMALab/foam, and the ten examples.
 site=$("$venv/bin/python" -c 'import foam, os; print(os.path.dirname(os.path.dirname(foam.__file__)))')
 notebook=$FOAM_TEST_BUILD/tests/consumers/python/beside/notebook
 if "$python" -c 'import sys; sys.exit(sys.argv[1] not in sys.argv[2])' "$("$python" -c 'import sys; print("%d%d" % sys.version_info[:2])')" "$(ls "$site/foam")"; then
@@ -113,6 +113,11 @@ if "$python" -c 'import sys; sys.exit(sys.argv[1] not in sys.argv[2])' "$("$pyth
     ln -s "$venv/bin" "$room/only/bin"
     quietly env "PYTHONPATH=$room/only" "FOAM_TEST_SOURCE=$FOAM_TEST_SOURCE" "FOAM_TEST_BINARY=$venv/bin/foam" \
         "$python" "$FOAM_TEST_SOURCE/tests/python/run_tests.py" "$FOAM_TEST_SOURCE/tests/python/dropin_test.py"
+    mkdir -p "$room/tree/bin"
+    ln -s "$site/foam/bin/foam" "$room/tree/bin/foam"
+    ln -s "$room/only" "$room/tree/python"
+    quietly "$python" "$FOAM_TEST_SOURCE/tests/docs/run_page.py" "$room/tree/bin/foam" "$FOAM_TEST_SOURCE" \
+        "$FOAM_TEST_SOURCE/docs/guide/python_examples.md"
     # Jupyter's own kernel executes the notebook.
     if [[ -d $notebook ]]; then
         quietly env "PYTHONPATH=$room/only:$notebook" "HOME=$room" "$python" "$FOAM_TEST_SOURCE/tests/python/notebook_from_wheel.py" \

@@ -57,6 +57,7 @@ public:
         constexpr std::size_t most_steps = 300;
         int idle = 0;
         for (std::size_t step = 0; idle < 3 && step < most_steps; ++step) {
+            check_cancelled();
             const Oriented next = about(best.axes[step % 3]);
             idle = next.volume < best.volume * (1 - least_gain) ? 0 : idle + 1;
             if (next.volume < best.volume) {
