@@ -89,6 +89,27 @@ done
 # The rest with the last of them.
 expect "Proved" "${clean[@]}" "$venv/bin/foam" spherize part.obj -n 6 -o part.json
 expect "Proved" "${clean[@]}" "$venv/bin/foam" spherize "$("$venv/bin/python" -c 'import foam; print(foam.example("panda"))')" -n 20 -o panda.json
+# The libraries that are linked otherwise than in the build: archives, the server of pages; and what is opened late.
+"$python" -c 'import tarfile, zipfile
+with zipfile.ZipFile("parts.zip", "w", zipfile.ZIP_BZIP2) as archive:
+    archive.write("part.obj")
+with tarfile.open("parts.tar", "w") as archive:
+    archive.add("part.obj")'
+for archive in parts.zip parts.tar; do
+    expect "1 with spheres, 0 failed" "${clean[@]}" "$venv/bin/foam" batch "$archive" -n 4 --run-dir "of_$archive"
+done
+if [[ -f $FOAM_TEST_BUILD/lib/foam/plugins/load_sdf/libfoam-sdf-reader.so ]]; then
+    expect "upper" "${clean[@]}" "$venv/bin/foam" info "$FOAM_TEST_SOURCE/plugins/load_sdf/samples/arm.sdf"
+fi
+"${clean[@]}" "$venv/bin/foam" view part.obj --no-open >page.txt 2>&1 &
+server=$!
+for _ in {1..100}; do
+    grep -q "^http:" page.txt && break
+    sleep 0.1
+done
+expect "<!DOCTYPE html>" "$python" -c 'import sys, urllib.request; print(urllib.request.urlopen(sys.argv[1]).read().decode())' \
+    "$(grep -m1 "^http:" page.txt)"
+kill "$server"
 medial=$(find "$venv" -name 'spherize_medial.so' -o -name 'foam-generate-spheres' -o -name external.py -path '*/foam/*')
 [[ -z $medial ]] || fail "in the first wheel, and not for it: $medial"
 gpl=$(wheel _gpl manylinux_2_34_x86_64)
