@@ -1,3 +1,4 @@
+#include <foam/base/internal/activity.hpp>
 #include <foam/runtime/internal/limits.hpp>
 
 #include <fmt/format.h>
@@ -24,14 +25,18 @@ void raise_to(std::atomic<double>& value, double least) {
 } // namespace
 
 Limits::Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal)
-    : options_(options), time_limit_(time_limit), journal_(journal) {
+    : options_(options), outer_(current_work().request), time_limit_(time_limit), journal_(journal) {
     for (std::size_t i = 0; i < requests_.size(); ++i) {
         requests_[i].bind(*this, static_cast<Phase>(i));
     }
 }
 
+bool Limits::is_cancelled() const {
+    return is_set(options_.cancel) || (outer_ && outer_->asked());
+}
+
 std::optional<double> Limits::stopped() const {
-    if (!is_set(options_.stop) && !is_set(options_.cancel)) {
+    if (!is_set(options_.stop) && !is_cancelled()) {
         return {};
     }
     double seen = stopped_.load();
@@ -138,7 +143,7 @@ Cut Limits::cut(Phase phase) const {
 }
 
 bool Limits::ended(Phase phase) const {
-    if (is_set(options_.cancel) || is_over(phase)) {
+    if (is_cancelled() || is_over(phase)) {
         return true;
     }
     return phase == Phase::beginning    ? too_late_to_begin()
@@ -148,7 +153,7 @@ bool Limits::ended(Phase phase) const {
 }
 
 bool Limits::overdue(Phase phase) const {
-    return is_set(options_.cancel) || (phase == Phase::searching ? too_late_to_begin() : ended(phase)) ||
+    return is_cancelled() || (phase == Phase::searching ? too_late_to_begin() : ended(phase)) ||
            is_over(phase);
 }
 
