@@ -25,7 +25,8 @@ void raise_to(std::atomic<double>& value, double least) {
 } // namespace
 
 Limits::Limits(const RunOptions& options, std::optional<double> time_limit, const Journal& journal)
-    : options_(options), outer_(current_work().request), time_limit_(time_limit), journal_(journal) {
+    : options_(options), outer_(options.stop || options.cancel ? nullptr : current_work().request),
+      time_limit_(time_limit), journal_(journal) {
     for (std::size_t i = 0; i < requests_.size(); ++i) {
         requests_[i].bind(*this, static_cast<Phase>(i));
     }

@@ -94,11 +94,13 @@ private:
     bool too_late_to_cover() const;
     bool too_late_to_complete() const;
 
-    /// Returns whether the caller has cancelled: by the options, or by the request under which it called.
+    /// Returns whether the caller has cancelled: by the options, or without them by the request under which it called.
     bool is_cancelled() const;
 
     const RunOptions& options_;
-    const StopRequest* outer_; ///< of the thread that made this; null: none
+    /// Of the thread that made this, where the options say nothing of an end: a file is read, nothing is run. Null:
+    /// none.
+    const StopRequest* outer_;
     const std::optional<double> time_limit_;
     const Journal& journal_;
     std::array<Request, 7> requests_;
