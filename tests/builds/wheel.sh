@@ -18,19 +18,19 @@ if [[ ! -d $debian ]]; then
 fi
 mount --bind /proc "$debian/proc"
 trap 'umount "$debian/proc"; rm -rf --one-file-system -- "$room"' EXIT
-in_debian() { chroot "$debian" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/work "$@"; }
+in_debian() { chroot "$debian" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 HOME=/tried "$@"; }
 
 PATH=$tools:$PATH quietly "$tools/python" "$FOAM_TEST_SOURCE/python/wheel/foam_wheel.py" "$FOAM_TEST_BUILD" "$room/wheels"
-rm -rf -- "${debian:?}/work"
-mkdir "$debian/work"
-cp "$room"/wheels/foam_spheres-*.whl "$debian/work"
-write_part "$debian/work/part.obj"
+rm -rf -- "${debian:?}/tried"
+mkdir "$debian/tried"
+cp "$room"/wheels/foam_spheres-*.whl "$debian/tried"
+write_part "$debian/tried/part.obj"
 PYTHONPATH=$FOAM_TEST_BUILD/python "$1" -c \
-    "import foam; open('$room/here.bin', 'wb').write(foam.spherize('$debian/work/part.obj', 6).spheres.tobytes())"
-quietly in_debian bash -c "cd /work && python3 -m venv --system-site-packages venv && venv/bin/pip install --no-index --no-deps *.whl"
-expect "True" in_debian bash -c "cd /work && venv/bin/python -c \"import foam
+    "import foam; open('$room/here.bin', 'wb').write(foam.spherize('$debian/tried/part.obj', 6).spheres.tobytes())"
+quietly in_debian bash -c "cd /tried && python3 -m venv --system-site-packages venv && venv/bin/pip install --no-index --no-deps *.whl"
+expect "True" in_debian bash -c "cd /tried && venv/bin/python -c \"import foam
 cover = foam.spherize('part.obj', 6)
 open('there.bin', 'wb').write(cover.spheres.tobytes())
 print(cover.certified)\""
-cmp "$room/here.bin" "$debian/work/there.bin" || fail "the wheel has other spheres there"
-expect "Proved" in_debian bash -c "cd /work && venv/bin/foam spherize venv/lib/python3*/site-packages/foam/share/foam/configs/robots/panda/panda.urdf -n 20 -o panda.json"
+cmp "$room/here.bin" "$debian/tried/there.bin" || fail "the wheel has other spheres there"
+expect "Proved" in_debian bash -c "cd /tried && venv/bin/foam spherize venv/lib/python3*/site-packages/foam/share/foam/configs/robots/panda/panda.urdf -n 20 -o panda.json"

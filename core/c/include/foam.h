@@ -120,8 +120,8 @@ FOAM_API int foam_spherize(const double* vertices, size_t vertex_count, const ui
 typedef struct foam_region foam_region;
 
 /* Makes a region of a mesh; vertices and triangles are those of foam_spherize(). Sets *region, which foam_region_free()
- * frees; NULL unless FOAM_OK. O(n log n) in the triangles: a program that covers the same mesh again keeps its region.
- * */
+ * frees; NULL unless FOAM_OK. O(n log n) in the triangles: a program that covers the same mesh again keeps its
+ * region. */
 FOAM_API int foam_region_of_mesh(const double* vertices, size_t vertex_count, const uint32_t* triangles,
                                  size_t triangle_count, foam_region** region, foam_report* report);
 /* Makes a region of points, `count` times x, y, z in metres, with one radius each: the surface of the union of
@@ -185,8 +185,8 @@ typedef struct foam_mesh foam_mesh;
  * round parts are circumscribed, with `segments` around a circle. foam_mesh_free() frees it. */
 FOAM_API int foam_elements_mesh(const foam_elements* elements, size_t index, int segments, foam_mesh** mesh,
                                 foam_report* report);
-/* Return the numbers of vertices and triangles, and their arrays, which live as long as the mesh; 0 or NULL for NULL.
- * */
+/* Return the numbers of vertices and triangles, and their arrays, which live as long as the mesh. For NULL they return
+ * 0 or NULL. */
 FOAM_API size_t foam_mesh_vertex_count(const foam_mesh* mesh);
 FOAM_API size_t foam_mesh_triangle_count(const foam_mesh* mesh);
 FOAM_API const double* foam_mesh_vertices(const foam_mesh* mesh);      /* x, y, z of each vertex */

@@ -7,10 +7,9 @@
 
 namespace foam {
 
-/// Returns √(x² + y²), wrong by less than one unit in the last place; inf if one is
-/// infinite, else NaN if one is. The C library's function differs between versions, and with it the results of a search.
-/// Source: C. F. Borges, "An Improved Algorithm for hypot(a,b)", 2019, arXiv:1904.09481, the corrected algorithm without fused
-/// multiply-add.
+/// Returns √(x² + y²), wrong by less than one unit in the last place; inf if one is infinite, else NaN if one is. The C
+/// library's function differs between versions, and with it the results of a search. Source: C. F. Borges, "An Improved
+/// Algorithm for hypot(a,b)", 2019, arXiv:1904.09481, the corrected algorithm without fused multiply-add.
 inline double hypot(double x, double y) {
     if (!std::isfinite(x) || !std::isfinite(y)) {
         return std::isinf(x) || std::isinf(y) ? std::numeric_limits<double>::infinity() : x + y;

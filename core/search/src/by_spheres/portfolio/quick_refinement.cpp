@@ -2,13 +2,16 @@
 
 #include "by_spheres/measured/missing_volume.hpp"
 #include "by_spheres/starts/power_cells.hpp"
+#include "by_spheres/starts/starts.hpp"
 
 #include <foam/base/cancellation.hpp>
 #include <foam/base/parallel.hpp>
+#include <foam/base/random.hpp>
 #include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
 namespace foam::inline search::by_spheres {
@@ -73,6 +76,17 @@ static CoverCandidate refined(const DescentSurface& surface, const Occupancy* oc
         before = now;
     }
     return best;
+}
+
+std::vector<Balls> quick_starts(const Points& some, const Balls& before, std::size_t count, const Points& body,
+                                std::size_t clusterings, std::uint64_t seed) {
+    std::vector<Balls> result{divided(some, before, count)};
+    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
+    Random random(derive_seed(seed, "quick starts") + count);
+    for (std::size_t i = 0; i < clusterings; ++i) {
+        result.push_back(clusters(body, count, random));
+    }
+    return result;
 }
 
 std::size_t starts_worth_refining(std::size_t balls) {

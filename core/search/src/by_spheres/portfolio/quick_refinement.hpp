@@ -5,6 +5,7 @@
 #include "by_spheres/portfolio/problem.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace foam::inline search::by_spheres {
 /// Number of balls above which they may leave a cavity in a solid.
 constexpr std::size_t few_balls = 16;
 constexpr std::size_t most_in_a_row = 6; ///< cells of a grid that is a start
+/// Returns starts: the balls divided until there are `count`, grids, and `clusterings` clusterings of the body.
+std::vector<Balls> quick_starts(const Points& some, const Balls& before, std::size_t count, const Points& body,
+                                std::size_t clusterings, std::uint64_t seed);
 /// Returns how many starts of a search for so many balls are worth a refinement.
 std::size_t starts_worth_refining(std::size_t balls);
 

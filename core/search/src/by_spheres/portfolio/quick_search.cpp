@@ -9,7 +9,6 @@
 #include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
-#include <iterator>
 
 namespace foam::inline search::by_spheres {
 namespace {
@@ -152,18 +151,9 @@ CoverCandidate QuickSearch::candidate(std::size_t count, const Balls& more) {
 std::vector<Balls> QuickSearch::starts(const DescentSurface& surface, const Occupancy* occupancy, std::size_t count,
                                        const Balls* before) const {
     const Points& some = surface.some;
-    std::vector<Balls> result{divided(some, before ? *before : Balls{}, count)};
-    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
-    Random random(derive_seed(options_.seed, "quick starts") + count);
-    if (!occupancy) {
-        result.push_back(clusters(some, count, random));
-        return result;
-    }
-    const Points body = body_of(some, *occupancy);
-    for (int i = 0; i < 2; ++i) {
-        result.push_back(clusters(body, count, random));
-    }
-    return result;
+    const Balls known = before ? *before : Balls{};
+    return occupancy ? quick_starts(some, known, count, body_of(some, *occupancy), 2, options_.seed)
+                     : quick_starts(some, known, count, some, 1, options_.seed);
 }
 
 } // namespace foam::search::by_spheres

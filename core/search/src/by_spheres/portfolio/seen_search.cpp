@@ -2,15 +2,13 @@
 
 #include "by_spheres/portfolio/quick_refinement.hpp"
 #include "by_spheres/starts/enclosing_ball.hpp"
-#include "by_spheres/starts/starts.hpp"
 
-#include <foam/base/random.hpp>
 #include <foam/geometry/volumes.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace foam::inline search::by_spheres {
 namespace {
@@ -26,21 +24,13 @@ struct Width {
     int fits;                ///< on all points
 };
 Width width_of(Effort effort) {
-    return effort == Effort::fast ? Width{1, 0, 1, 1} : effort == Effort::normal ? Width{8, 4, 2, 4} : Width{32, 12, 4, 4};
+    return effort == Effort::fast     ? Width{1, 0, 1, 1}
+           : effort == Effort::normal ? Width{8, 4, 2, 4}
+                                      : Width{32, 12, 4, 4};
 }
 
 bool is_ball(const Sphere& ball) {
     return is_finite(ball.center) && std::isfinite(ball.radius) && ball.radius >= 0;
-}
-
-std::vector<Balls> starts_in(const Points& some, std::size_t count, std::size_t clusterings, std::uint64_t seed) {
-    std::vector<Balls> result{divided(some, Balls{}, count)};
-    std::ranges::move(grids(some, count, most_in_a_row), std::back_inserter(result));
-    Random random(derive_seed(seed, "quick starts") + count);
-    for (std::size_t i = 0; i < clusterings; ++i) {
-        result.push_back(clusters(some, count, random));
-    }
-    return result;
 }
 
 /// Returns the spheres about the balls' centres that hold every ball: each in the one from which it is least far out.
@@ -90,9 +80,11 @@ void improve(std::optional<SphereCover>& best, const Seen& seen, std::size_t cou
     const DescentSurface surface(seen.whole.points.size() > places ? seen.whole.sample(places) : seen.whole.points,
                                  count);
     PowerCells cells(seen.whole);
+    std::vector<Balls> starts =
+        quick_starts(surface.some, {}, count, surface.some, width.clusterings, options.seed);
     for (const CoverCandidate& candidate :
-         refined_best(surface, nullptr, count, starts_in(surface.some, count, width.clusterings, options.seed),
-                      starts_worth_refining(count) + width.refined, [&] { return options.stop && options.stop(); })) {
+         refined_best(surface, nullptr, count, std::move(starts), starts_worth_refining(count) + width.refined,
+                      [&] { return options.stop && options.stop(); })) {
         Balls now = candidate.balls;
         for (int fit = 0; fit < width.fits; ++fit) {
             now = cells.fitted(now, directions_of_steps().front());
